@@ -19,11 +19,11 @@ namespace {
 constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
 
 /// A library's functions are not correctly rounded, so no filter has a proven bound.
-Error no_function(const scene::Scene& scene, Function function) {
+Error no_function(const scene::Scene& scene, const Function& function) {
   return {.file = scene.path.string(),
           .field = "comparison",
           .message = "the program in double has no functions but sqrt, whose error is known",
-          .received = std::string(to_string(function)),
+          .received = applied_text(function, "x"),
           .accepted = "f and g of + - * / ^ sqrt abs min max"};
 }
 

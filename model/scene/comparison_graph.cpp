@@ -6,6 +6,7 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/settings/section.hpp"
+#include "model/comparison/data/points.hpp"
 #include "model/scene/sections.hpp"
 
 namespace mixcmp::scene {
@@ -13,8 +14,9 @@ namespace {
 
 /// Turns an error's column within an expression into a line and a column of the file. If the file
 /// does not contain the text literally (escapes, --set), the message gives the position in the text
-/// instead.
+/// instead. An error in another file has its place already.
 Error with_location(const settings::Setting& setting, Error error) {
+  if (!error.file.empty()) return error;
   const auto column = static_cast<std::size_t>(error.column);
   static const std::string nothing;
   const std::string& source = setting.file ? setting.file->text : nothing;
@@ -73,8 +75,11 @@ struct Reading {
 
   Result<NodeId> parse(Graph& graph, const settings::Setting& setting, const std::string& field,
                        std::span<const IndexValue> indices) {
-    const Result<NodeId> node =
-        parse_expression(graph, std::get<std::string>(setting.value), lets, &used_lets, indices);
+    const auto read_points = [&](const std::string& file, int degree) {
+      return data::read_points(settings.path.parent_path() / file, degree);
+    };
+    const Result<NodeId> node = parse_expression(graph, std::get<std::string>(setting.value), lets,
+                                                 &used_lets, indices, read_points);
     if (node.ok()) return node;
     return with_location_in(settings, setting, field, node.error());
   }

@@ -111,16 +111,12 @@ std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat refe
                                             const std::vector<std::optional<Range>>& ranges) {
   constexpr auto none = "no lane in fixed point can be planned: ";
   const auto quotient = first_of(graph, Operation::divide,
-                                 [&](NodeId id) { return !fixed::has_quotient(graph, id); });
-  if (quotient) {
-    return fmt::format("{}it divides only by constants, and {} has {}", none, quotient->second,
-                       to_text(graph, quotient->first, most_characters));
-  }
+                                 [&](NodeId id) { return !fixed::divides_by_constant(graph, id); });
   const auto root = first_of(graph, Operation::square_root, [](NodeId) { return true; });
   const bool has_all_ranges = std::all_of(ranges.begin(), ranges.end(),
                                           [](const auto& range) { return range.has_value(); });
-  if (!root || !has_all_ranges) return std::nullopt;
-  // More digits leave the radicand of a root less room for errors below 0.
+  if ((!root && !quotient) || !has_all_ranges) return std::nullopt;
+  // More digits leave the radicand of a root or a divisor less room for errors below 0.
   const int most_bits = settings::lane_fixed_bits(reference).most;
   const auto why = [&](FixedPoint format) { return why_no_lane(graph, reference, ranges, format); };
   const std::string fixed = why({.bits = most_bits});
@@ -130,8 +126,8 @@ std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat refe
 }
 
 std::optional<std::string> divider_note(const Graph& graph) {
-  const auto quotient =
-      first_of(graph, Operation::divide, [&](NodeId id) { return fixed::has_quotient(graph, id); });
+  const auto quotient = first_of(graph, Operation::divide,
+                                 [&](NodeId id) { return fixed::divides_by_constant(graph, id); });
   if (!quotient) return std::nullopt;
   return fmt::format(
       "references have a divider for {} in {}, which rounds once; lanes multiply by the rounded "

@@ -40,7 +40,7 @@ LaneFormat Scene::format_of_reference() const {
 
 std::optional<std::string> Scene::why_no_float_lane() const {
   if (const std::optional<Function> function = graph.first_function()) {
-    return fmt::format("a lane in floating point has no {}", to_string(*function));
+    return "a lane in floating point has no " + applied_text(*function, "x");
   }
   if (!has_fixed_operands()) return std::nullopt;
   return "a lane in floating point takes no operands in fixed point";

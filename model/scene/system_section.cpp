@@ -138,9 +138,9 @@ Result<Done> check_functions(const settings::Section& section, std::span<const G
   for (const Graph& graph : graphs) {
     const std::optional<Function> function = graph.first_function();
     if (!function) continue;
-    return section.mistake(
-        "format", fmt::format("a reference in floating point has no {}", to_string(*function)),
-        received, "qW such as q40");
+    return section.mistake("format",
+                           "a reference in floating point has no " + applied_text(*function, "x"),
+                           received, "qW such as q40");
   }
   return Done{};
 }

@@ -13,8 +13,42 @@ namespace {
 
 using golden::BigFloat;
 
-int apply(Function function, mpfr_ptr y, mpfr_srcptr x, mpfr_rnd_t rounding) {
-  switch (function) {
+mpq_class raised(const mpq_class& base, const mpz_class& exponent) {
+  mpq_class result = 1;
+  for (mpz_class k = 0; k < exponent; ++k) result *= base;
+  return result;
+}
+
+mpq_class rational(const BigFloat& number) {
+  MIXCMP_CHECK(mpfr_number_p(number.get()) != 0);
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), number.get());
+  return value;
+}
+
+/// x^exponent by MPFR's power with a rounded exponent: a last place off at most, unless the power
+/// is a number of so many digits.
+int raise(mpfr_ptr y, const BigFloat& x, const mpq_class& exponent, mpfr_rnd_t rounding) {
+  const mpfr_prec_t digits = mpfr_get_prec(y);
+  BigFloat rounded(digits + 64), value(digits + 64), short_value(digits / 2);
+  mpfr_set_q(rounded.get(), exponent.get_mpq_t(), MPFR_RNDN);
+  mpfr_pow(value.get(), x.get(), rounded.get(), MPFR_RNDN);
+  mpfr_set(short_value.get(), value.get(), MPFR_RNDN);
+  const mpq_class power = raised(rational(x), abs(exponent.get_num()));
+  const mpq_class root = raised(rational(short_value), exponent.get_den());
+  if (root == (exponent < 0 ? 1 / power : power)) {
+    mpfr_set(y, short_value.get(), MPFR_RNDN);
+    return 0;
+  }
+  mpfr_set(y, value.get(), MPFR_RNDN);
+  if (rounding == MPFR_RNDD) mpfr_nextbelow(y);
+  if (rounding == MPFR_RNDU) mpfr_nextabove(y);
+  return 0;
+}
+
+int apply(const Function& function, mpfr_ptr y, const BigFloat& argument, mpfr_rnd_t rounding) {
+  mpfr_srcptr x = argument.get();
+  switch (function.kind()) {
     case Function::exp: return mpfr_exp(y, x, rounding);
     case Function::exp2: return mpfr_exp2(y, x, rounding);
     case Function::expm1: return mpfr_expm1(y, x, rounding);
@@ -28,31 +62,60 @@ int apply(Function function, mpfr_ptr y, mpfr_srcptr x, mpfr_rnd_t rounding) {
     case Function::sinh: return mpfr_sinh(y, x, rounding);
     case Function::cosh: return mpfr_cosh(y, x, rounding);
     case Function::tanh: return mpfr_tanh(y, x, rounding);
+    case Function::power: return raise(y, argument, function.parameter(), rounding);
+    case Function::sign:
+    case Function::remainder:
+    case Function::table: break;  // rational values
   }
   MIXCMP_CHECK(false);
 }
 
-mpq_class rational(const BigFloat& number) {
-  MIXCMP_CHECK(mpfr_number_p(number.get()) != 0);
-  mpq_class value;
-  mpfr_get_q(value.get_mpq_t(), number.get());
-  return value;
+/// The value of a function that maps rational numbers to such.
+std::optional<mpq_class> rational_value(const Function& function, const mpq_class& x) {
+  switch (function.kind()) {
+    case Function::sign: return x < 0 ? -1 : 1;
+    case Function::remainder: {
+      const mpz_class quotient = floor_of(x / function.parameter());
+      return x - quotient * function.parameter();
+    }
+    case Function::table: return function.interpolation().at(x);
+    default: return std::nullopt;
+  }
 }
 
 }  // namespace
 
-Range value_at(Function function, const mpq_class& x, int digits) {
+Function measured(int degree) {
+  std::vector<mpq_class> x = {-6, -4, -1, mpq_class(-1, 3), 0, mpq_class(1, 7), 2, 5, 9};
+  std::vector<mpq_class> y = {1, -1, mpq_class(1, 2), 3, mpq_class(-2, 3),
+                              0, 4,  mpq_class(7, 2), -2};
+  const auto made = Interpolation::through(std::move(x), std::move(y), degree);
+  return Function::through("measured.csv", made.value());
+}
+
+std::vector<Function> tested_functions() {
+  std::vector<Function> all(all_functions.begin(), all_functions.end());
+  for (const mpq_class& exponent : {mpq_class(1, 3), mpq_class(12, 5), mpq_class(5, 11),
+                                    mpq_class(-1), mpq_class(-1, 2), mpq_class(17)}) {
+    all.push_back(Function::power_of(exponent));
+  }
+  for (const int degree : {1, 2, 3}) all.push_back(measured(degree));
+  return all;
+}
+
+Range value_at(const Function& function, const mpq_class& x, int digits) {
+  if (const auto rational = rational_value(function, x)) return {*rational, *rational};
   BigFloat argument(std::max<mpfr_prec_t>(2, digits_of(x.get_num()))), value(digits);
   MIXCMP_CHECK(mpfr_set_q(argument.get(), x.get_mpq_t(), MPFR_RNDN) == 0);
   Range range;
-  apply(function, value.get(), argument.get(), MPFR_RNDD);
+  apply(function, value.get(), argument, MPFR_RNDD);
   range.low = rational(value);
-  apply(function, value.get(), argument.get(), MPFR_RNDU);
+  apply(function, value.get(), argument, MPFR_RNDU);
   range.high = rational(value);
   return range;
 }
 
-Range value_near(Function function, const Range& x) {
+Range value_near(const Function& function, const Range& x) {
   if (x.low == x.high) return value_at(function, x.low);
   MIXCMP_CHECK(x.high - x.low < power_of_two(-250));
   const mpq_class most_change = power_of_two(-210);

@@ -467,6 +467,26 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
   }
 }
 
+/// The comment of a table's word.
+std::string FixedNodes::describe_words(NodeId id, const std::string& format) const {
+  const FixedNode& node = lane_.nodes[id];
+  const std::string& argument = names_[node.operands[0]];
+  if (node.function->kind() == Function::sign) {
+    return fmt::format("{}: {} where {} is 0 or more, otherwise {}.", names_[id],
+                       node.words[0].get_str(), argument, node.words[1].get_str());
+  }
+  const std::string word = node.power < 0 ? "the start of the piece that holds the argument of " +
+                                                to_string(*node.function)
+                                          : fmt::format("the coefficient of t^{} in {}", node.power,
+                                                        applied_text(*node.function, argument));
+  const int bits = node.words.address_bits();
+  const std::string upper = bits == 1 ? "upper bit" : fmt::format("{} upper bits", bits);
+  return fmt::format(
+      "{}: {}, in {}; its address is the {} of {}, and the words follow from the last address down "
+      "to 0.",
+      names_[id], word, format, upper, argument);
+}
+
 /// Adds the comment of a node, with `more` behind it.
 void FixedNodes::describe(NodeId id, const std::string& more) {
   const FixedNode& node = lane_.nodes[id];
@@ -487,14 +507,7 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
         "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
   }
   if (node.operation == Operation::look_up) {
-    const int bits = node.words.address_bits();
-    const std::string upper = bits == 1 ? "upper bit" : fmt::format("{} upper bits", bits);
-    return datapath_.describe(
-        schedule_.steps[id],
-        fmt::format(
-            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} of {}, and "
-            "the words follow from the last address down to 0.",
-            names_[id], node.power, to_string(*node.function), text(0), format, upper, text(0)));
+    return datapath_.describe(schedule_.steps[id], describe_words(id, format));
   }
   if (fixed::is_floating_code(node)) {
     return datapath_.describe(

@@ -58,6 +58,7 @@ private:
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
   void describe(NodeId id, const std::string& more = {});
+  std::string describe_words(NodeId id, const std::string& format) const;
   void declare(NodeId id);
   Operand declare_misfit(NodeId id, const std::string& name, const datapath::Step& step);
 

@@ -71,8 +71,11 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
 
 /// exp_c2, exp_t or exp_of_x.
 std::string name_in_function(const fixed::FixedNode& node, const std::string& argument) {
-  const std::string function(to_string(*node.function));
-  if (node.operation == Operation::look_up) return fmt::format("{}_c{}", function, node.power);
+  const std::string function = to_string(*node.function);
+  const bool is_sign = node.function->kind() == Function::sign;
+  if (node.operation == Operation::look_up && !is_sign) {
+    return node.power < 0 ? function + "_start" : fmt::format("{}_c{}", function, node.power);
+  }
   if (fixed::is_floating_code(node)) return argument + "_floating";
   if (node.conversion == fixed::Conversion::place) return function + "_t";
   return unless_too_long(function + "_of_" + argument, function);

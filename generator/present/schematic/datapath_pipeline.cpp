@@ -217,7 +217,9 @@ private:
     const FixedNode& node = lane_.nodes[id];
     if (node.operation == Operation::input) return "convert";
     if (node.operation == Operation::look_up) {
-      return fmt::format("{}: c{}", to_string(*node.function), node.power);
+      const std::string function = to_string(*node.function);
+      if (node.function->kind() == Function::sign) return function;
+      return node.power < 0 ? function + ": start" : fmt::format("{}: c{}", function, node.power);
     }
     if (node.operation != Operation::convert) {
       for (const fixed::FixedPart& part : lane_.parts) {
@@ -228,7 +230,7 @@ private:
     if (fixed::is_common_cut(node)) return "cut in common";
     if (fixed::is_floating_code(node)) return "leading one";
     if (node.conversion == fixed::Conversion::place) return "t";
-    if (node.function) return std::string(to_string(*node.function));
+    if (node.function) return applied_text(*node.function, "x");
     if (fixed::is_limit(node)) return "limited";
     if (fixed::is_reach(node)) return "low bits";
     return fmt::format("drop {} bits", node.dropped_bits);

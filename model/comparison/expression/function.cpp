@@ -3,11 +3,38 @@
 #include <fmt/core.h>
 
 #include "model/base/common/check.hpp"
+#include "model/comparison/expression/text.hpp"
 
 namespace mixcmp::inline expression {
 
-std::string_view to_string(Function function) {
-  switch (function) {
+Function Function::power_of(const mpq_class& exponent) {
+  Function function = power;
+  function.parameter_ = exponent;
+  return function;
+}
+
+Function Function::remainder_by(const mpq_class& divisor) {
+  MIXCMP_CHECK(divisor > 0);
+  Function function = remainder;
+  function.parameter_ = divisor;
+  return function;
+}
+
+Function Function::through(const std::string& name, const Interpolation& interpolation) {
+  Function function = table;
+  function.table_ = std::make_shared<const Table>(Table{name, interpolation});
+  return function;
+}
+
+std::strong_ordering operator<=>(const Function& a, const Function& b) {
+  if (a.kind_ != b.kind_) return a.kind_ <=> b.kind_;
+  if (a.parameter_) return cmp(*a.parameter_, *b.parameter_) <=> 0;
+  if (a.table_ == b.table_) return std::strong_ordering::equal;
+  return a.table_->interpolation <=> b.table_->interpolation;
+}
+
+std::string to_string(const Function& function) {
+  switch (function.kind()) {
     case Function::exp: return "exp";
     case Function::exp2: return "exp2";
     case Function::expm1: return "expm1";
@@ -21,18 +48,65 @@ std::string_view to_string(Function function) {
     case Function::sinh: return "sinh";
     case Function::cosh: return "cosh";
     case Function::tanh: return "tanh";
+    case Function::power: return "power";
+    case Function::sign: return "sign";
+    case Function::remainder: return "mod";
+    case Function::table: return "table";
   }
   MIXCMP_CHECK(false);
 }
 
-std::optional<mpq_class> open_end(Function function) {
-  if (function == Function::log || function == Function::log2) return 0;
-  return function == Function::log1p ? std::optional<mpq_class>(-1) : std::nullopt;
+std::string exponent_text(const Function& power) {
+  const std::string exponent = to_text(power.parameter());
+  return exponent.find('/') == std::string::npos ? exponent : fmt::format("({})", exponent);
 }
 
-std::string accepted_arguments(Function function) {
-  const std::optional<mpq_class> end = open_end(function);
-  return end ? fmt::format("a number above {}", end->get_str()) : "a number";
+std::string applied_text(const Function& function, const std::string& argument) {
+  const std::string name = to_string(function);
+  if (function.kind() == Function::power) return argument + "^" + exponent_text(function);
+  if (function.kind() == Function::remainder) {
+    return fmt::format("{}({}, {})", name, argument, to_text(function.parameter()));
+  }
+  if (function.kind() == Function::table) {
+    const int degree = function.interpolation().degree();
+    return fmt::format("{}(\"{}\", {}{})", name, function.table_name(), argument,
+                       degree == 1 ? "" : fmt::format(", {}", degree));
+  }
+  return fmt::format("{}({})", name, argument);
+}
+
+bool has_jumps(const Function& function) {
+  return function.kind() == Function::sign || function.kind() == Function::remainder;
+}
+
+bool Domain::contains(const mpq_class& argument) const {
+  if (high && argument > *high) return false;
+  return !low || (is_open ? argument > *low : argument >= *low);
+}
+
+Domain domain(const Function& function) {
+  const Function::Kind kind = function.kind();
+  if (kind == Function::log || kind == Function::log2)
+    return {.low = 0, .high = {}, .is_open = true};
+  if (kind == Function::log1p) return {.low = -1, .high = {}, .is_open = true};
+  if (kind == Function::table) {
+    const std::vector<mpq_class>& knots = function.interpolation().knots();
+    return {.low = knots.front(), .high = knots.back()};
+  }
+  if (kind != Function::power) return {};
+  const mpq_class& exponent = function.parameter();
+  if (exponent.get_den() == 1 && exponent > 0) return {};
+  return {.low = 0, .high = {}, .is_open = exponent < 0};
+}
+
+std::string accepted_arguments(const Function& function) {
+  const Domain accepted = domain(function);
+  if (!accepted.low) return "a number";
+  if (accepted.high) {
+    return fmt::format("a number {}..{}", to_text(*accepted.low), to_text(*accepted.high));
+  }
+  return fmt::format("a number {} {}", accepted.is_open ? "above" : "of at least",
+                     to_text(*accepted.low));
 }
 
 }  // namespace mixcmp::inline expression

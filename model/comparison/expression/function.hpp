@@ -3,26 +3,94 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <compare>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+
+#include "model/comparison/expression/interpolation.hpp"
 
 namespace mixcmp::inline expression {
 
-/// Functions of one argument, by their names in C.
-enum class Function { exp, exp2, expm1, log, log2, log1p, sin, cos, tan, atan, sinh, cosh, tanh };
+/// A function of one argument, with what it depends on otherwise.
+class Function {
+public:
+  /// By their names in C if they have one.
+  enum Kind {
+    exp,
+    exp2,
+    expm1,
+    log,
+    log2,
+    log1p,
+    sin,
+    cos,
+    tan,
+    atan,
+    sinh,
+    cosh,
+    tanh,
+    power,      ///< x^y; where y is below 0, of positive numbers only
+    sign,       ///< -1 below 0, otherwise 1
+    remainder,  ///< x - y floor(x / y), for y > 0
+    table,      ///< an interpolation
+  };
 
+  /// A function that depends on nothing else.
+  Function(Kind kind) : kind_(kind) {}
+  static Function power_of(const mpq_class& exponent);
+  static Function remainder_by(const mpq_class& divisor);
+  /// `name`: that of the table's file, for messages.
+  static Function through(const std::string& name, const Interpolation& interpolation);
+
+  Kind kind() const { return kind_; }
+  /// y.
+  const mpq_class& parameter() const { return *parameter_; }
+  const Interpolation& interpolation() const { return table_->interpolation; }
+  const std::string& table_name() const { return table_->name; }
+
+  friend bool operator==(const Function& a, const Function& b) { return (a <=> b) == 0; }
+  friend std::strong_ordering operator<=>(const Function& a, const Function& b);
+
+private:
+  struct Table {
+    std::string name;
+    Interpolation interpolation;
+  };
+
+  Kind kind_;
+  std::optional<mpq_class> parameter_;
+  std::shared_ptr<const Table> table_;
+};
+
+/// The functions that are known by their names and smooth where they have a value.
 inline constexpr std::array all_functions = {
     Function::exp,   Function::exp2, Function::expm1, Function::log, Function::log2,
     Function::log1p, Function::sin,  Function::cos,   Function::tan, Function::atan,
     Function::sinh,  Function::cosh, Function::tanh};
 
-std::string_view to_string(Function function);
+/// "exp"; "power" for x^y, "mod", "table".
+std::string to_string(const Function& function);
+/// The exponent of a power in formulas: "0.45", "(1/3)".
+std::string exponent_text(const Function& power);
+/// The function's value in formulas: "exp(a)", "a^0.45", "mod(a, 360)", "table(\"gamma.csv\", a)";
+/// `argument` is a name.
+std::string applied_text(const Function& function, const std::string& argument);
 
-/// A function with an end has values at all numbers above it; the others have values everywhere,
-/// tan except at its poles, none of which is rational. log and log2: 0. log1p: -1.
-std::optional<mpq_class> open_end(Function function);
-/// The arguments at which it has one, for messages: "a number above 0".
-std::string accepted_arguments(Function function);
+/// Whether values may differ however near two arguments are.
+bool has_jumps(const Function& function);
+
+/// The arguments at which a function has a value. Without an end it has values on all that side,
+/// tan except at its poles, none of which is rational.
+struct Domain {
+  std::optional<mpq_class> low, high;
+  bool is_open = false;  ///< the lower end itself has no value
+
+  bool contains(const mpq_class& argument) const;
+};
+
+Domain domain(const Function& function);
+/// For messages: "a number above 0".
+std::string accepted_arguments(const Function& function);
 
 }  // namespace mixcmp::inline expression

@@ -100,7 +100,7 @@ NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
   return intern({.operation = operation, .operands = {first, second}, .value = {}});
 }
 
-NodeId Graph::apply(Function function, NodeId argument) {
+NodeId Graph::apply(const Function& function, NodeId argument) {
   return intern({.operation = Operation::function,
                  .operands = {argument, -1},
                  .value = {},

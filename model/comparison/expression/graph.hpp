@@ -76,7 +76,7 @@ public:
   NodeId input(const std::string& name);
   NodeId constant(const mpq_class& value);
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
-  NodeId apply(Function function, NodeId argument);
+  NodeId apply(const Function& function, NodeId argument);
   /// The first function that any node applies; none if no node does.
   std::optional<Function> first_function() const;
 

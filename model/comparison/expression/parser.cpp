@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <optional>
 
@@ -19,7 +18,10 @@
 namespace mixcmp::inline expression {
 namespace {
 
-constexpr int max_power = 16;
+constexpr int max_power = 1024;
+constexpr long max_power_denominator = 1'000'000;
+// Powers up to this one are products.
+constexpr int max_whole_power = 16;
 constexpr std::size_t max_nodes = 4096;
 // The most terms of all reductions in one text. With more terms, the graph would exceed max_nodes
 // operations, unless some have no effect.
@@ -31,12 +33,15 @@ constexpr long max_integer = 999'999;
 struct Callable {
   enum class Arguments {
     one,
-    two_or_more,       ///< or an index
-    value_and_limits,  ///< a value, its least and its greatest
+    two_or_more,        ///< or an index
+    value_and_limits,   ///< a value, its least and its greatest
+    value_and_divisor,  ///< a value and a constant above 0
+    y_and_x,            ///< coordinates
+    file_and_value,     ///< a file, a value, and a degree if that is not 1
   };
 
-  std::string_view name;
-  std::optional<Operation> operation;  ///< none: its value is the first argument's
+  std::string name;
+  std::optional<Operation> operation;  ///< none: it has a rule of its own
   Arguments arguments;
   std::optional<Function> function = {};  ///< for Operation::function
 
@@ -52,8 +57,12 @@ std::vector<Callable> make_callables() {
       {"sum", Operation::add, Callable::Arguments::two_or_more},
       {"product", Operation::multiply, Callable::Arguments::two_or_more},
       {"within", std::nullopt, Callable::Arguments::value_and_limits},
+      {"sign", Operation::function, Callable::Arguments::one, Function::sign},
+      {"atan2", std::nullopt, Callable::Arguments::y_and_x},
+      {"mod", std::nullopt, Callable::Arguments::value_and_divisor},
+      {"table", std::nullopt, Callable::Arguments::file_and_value},
   };
-  for (const Function function : all_functions) {
+  for (const Function::Kind function : all_functions) {
     callables.push_back(
         {to_string(function), Operation::function, Callable::Arguments::one, function});
   }
@@ -113,8 +122,11 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
 class GraphBuilder {
 public:
   GraphBuilder(Graph& graph, std::span<const LetDefinition> lets,
-               std::span<const IndexValue> indices)
-      : graph_(graph), lets_(lets), indices_(indices.begin(), indices.end()) {}
+               std::span<const IndexValue> indices, ReadPoints read_points)
+      : graph_(graph),
+        lets_(lets),
+        indices_(indices.begin(), indices.end()),
+        read_points_(std::move(read_points)) {}
 
   Value parse(const std::string& text) { return value_of(value_or_throw(parse_syntax(text, 0))); }
   IndexRange range(const Syntax& syntax);
@@ -140,12 +152,17 @@ private:
   Value chain(const Syntax& syntax);
   Value power(const Syntax& syntax);
   Value call(const Syntax& syntax);
+  Value remainder(const Syntax& syntax);
+  Value angle(const Syntax& syntax);
+  Value interpolated(const Syntax& syntax);
   Value limited(const Syntax& syntax);
-  mpq_class limit(const Syntax& syntax);
+  /// The value of an expression without inputs.
+  mpq_class constant(const Syntax& syntax, const std::string& accepted);
+  mpq_class exponent(const Syntax& syntax);
   Value reduction(const Syntax& syntax);
 
   Value applied(Operation operation, const Value& a, const Value& b);
-  Value applied(Function function, const Value& argument);
+  Value applied(const Function& function, const Value& argument);
   /// The value of a new node of the graph.
   Value made(std::size_t column, NodeId node) const;
   Value raised(const Value& base, int exponent);
@@ -166,6 +183,7 @@ private:
   std::map<std::string, Value> let_values_;
   std::vector<std::string> open_lets_;
   std::vector<IndexValue> indices_;  ///< indices of the enclosing reductions, innermost last
+  ReadPoints read_points_;
   std::map<std::string, IndexPlace> index_places_;
   std::set<std::string> input_names_;
   bool constants_only_ = false;  ///< while an end of an index range, a subscript or a limit is read
@@ -176,6 +194,9 @@ Value GraphBuilder::value_of(const Syntax& syntax) {
   const auto value = [&] {
     switch (syntax.kind) {
       case Syntax::Kind::number: return number(syntax);
+      case Syntax::Kind::text:
+        fail(syntax.column, "a text in quotes is no number", syntax.text,
+             "the file of a table: table(\"points.csv\", x)");
       case Syntax::Kind::name: return name(syntax);
       case Syntax::Kind::negation: {
         const Value operand = value_of(syntax.parts[0]);
@@ -249,19 +270,14 @@ std::string GraphBuilder::subscripted_name(const Syntax& syntax) {
 
 /// The integer value of a range's bound or of a subscript.
 long GraphBuilder::integer(const Syntax& syntax) {
-  const bool outer = std::exchange(constants_only_, true);
-  const Value value = value_of(syntax);
-  constants_only_ = outer;
   const std::string accepted = fmt::format("an integer of at most {} either side", max_integer);
-  if (!value.constant) {
-    fail(syntax.column, "not a constant", "an input or a square root", accepted);
+  const mpq_class value = constant(syntax, accepted);
+  const bool is_whole = value.get_den() == 1;
+  if (!is_whole || abs(value) > max_integer) {
+    fail(syntax.column, (is_whole ? "too large" : "not an integer") + index_values(),
+         to_text(value), accepted);
   }
-  if (value.constant->get_den() != 1 || abs(*value.constant) > max_integer) {
-    const bool whole = value.constant->get_den() == 1;
-    fail(syntax.column, (whole ? "too large" : "not an integer") + index_values(),
-         to_text(*value.constant), accepted);
-  }
-  return value.constant->get_num().get_si();
+  return value.get_num().get_si();
 }
 
 Value GraphBuilder::chain(const Syntax& syntax) {
@@ -272,17 +288,31 @@ Value GraphBuilder::chain(const Syntax& syntax) {
   return value;
 }
 
+/// Whole powers are products and quotients, and x^0.5 is a root: floating point has them too.
 Value GraphBuilder::power(const Syntax& syntax) {
-  const auto& [base, power] = std::tie(syntax.parts[0], syntax.parts[1]);
-  const Value value = value_of(base);
-  int exponent = 0;
-  const char* end = power.text.data() + power.text.size();
-  const auto status = std::from_chars(power.text.data(), end, exponent).ec;
-  if (status != std::errc{} || exponent < 1 || exponent > max_power) {
-    fail(power.column, "power out of range", fmt::format("{:.40}", power.text),
-         fmt::format("an integer literal 1..{} after '^'", max_power));
+  const Value base = value_of(syntax.parts[0]);
+  const mpq_class exponent = this->exponent(syntax.parts[1]);
+  if (exponent == mpq_class(1, 2)) return applied(Operation::square_root, base, base);
+  if (exponent.get_den() != 1 || exponent > max_whole_power) {
+    return applied(Function::power_of(exponent), base);
   }
-  return raised(value, exponent);
+  const Value whole = raised(base, static_cast<int>(mpz_class(abs(exponent.get_num())).get_si()));
+  if (exponent > 0) return whole;
+  return applied(Operation::divide, {.column = base.column, .constant = 1}, whole);
+}
+
+mpq_class GraphBuilder::exponent(const Syntax& syntax) {
+  const mpq_class exponent =
+      constant(syntax, "a number, or numbers and + - * / ^; exp2(y * log2(x)) is x^y for any y");
+  const bool is_whole_reciprocal = exponent.get_den() == 1 && exponent < 0;
+  const mpq_class most = is_whole_reciprocal ? max_whole_power : max_power;
+  if (exponent == 0 || abs(exponent) > most || exponent.get_den() > max_power_denominator) {
+    fail(syntax.column, "power out of range" + index_values(), to_text(exponent),
+         fmt::format("a number other than 0 of at most {} either side ({} if it is whole and below "
+                     "0), a fraction over at most {}",
+                     max_power, max_whole_power, max_power_denominator));
+  }
+  return exponent;
 }
 
 /// Square and multiply, from the exponent's highest bit down.
@@ -309,6 +339,16 @@ void check_arguments(const Syntax& syntax, const Callable& function) {
     case Callable::Arguments::one:
       if (count != 1) refuse("1 argument", "1 argument");
       return;
+    case Callable::Arguments::value_and_divisor:
+      if (count != 2) refuse("2 arguments", "a value and a divisor");
+      return;
+    case Callable::Arguments::y_and_x:
+      if (count != 2) refuse("2 arguments", "y and x");
+      return;
+    case Callable::Arguments::file_and_value:
+      if (count == 2 || count == 3) return;
+      refuse("2 or 3 arguments", "a file in quotes, a value, and a degree if that is not 1");
+      return;
     case Callable::Arguments::two_or_more:
       if (count >= 2) return;
       refuse("2 arguments or more", "2 arguments or more, or an index (k in 0..3) and a term");
@@ -323,12 +363,75 @@ Value GraphBuilder::call(const Syntax& syntax) {
   const Callable* function = find_callable(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
   check_arguments(syntax, *function);
-  if (!function->operation) return limited(syntax);
+  switch (function->arguments) {
+    case Callable::Arguments::value_and_limits: return limited(syntax);
+    case Callable::Arguments::value_and_divisor: return remainder(syntax);
+    case Callable::Arguments::y_and_x: return angle(syntax);
+    case Callable::Arguments::file_and_value: return interpolated(syntax);
+    case Callable::Arguments::one:
+    case Callable::Arguments::two_or_more: break;
+  }
   std::vector<Value> values;
   for (const Syntax& part : syntax.parts) values.push_back(value_of(part));
   if (function->function) return applied(*function->function, values[0]);
   if (!function->reduces()) return applied(*function->operation, values[0], values[0]);
   return joined_pairwise(*function->operation, std::move(values));
+}
+
+/// The value of mod(value, divisor).
+Value GraphBuilder::remainder(const Syntax& syntax) {
+  const Value dividend = value_of(syntax.parts[0]);
+  const Syntax& given = syntax.parts[1];
+  const mpq_class divisor = constant(given, "a number above 0, or numbers and + - * / ^");
+  if (divisor <= 0) {
+    fail(given.column, "mod divides by a number above 0" + index_values(), to_text(divisor),
+         "a number above 0");
+  }
+  if (!dividend.constant) return applied(Function::remainder_by(divisor), dividend);
+  const mpz_class quotient = floor_of(*dividend.constant / divisor);
+  return {.column = dividend.column, .constant = *dividend.constant - quotient * divisor};
+}
+
+/// The value of atan2(y, x), the angle from the x axis to (x, y), above -pi and at most pi. Where
+/// both are positive it is pi / 4 + atan((y - x) / (y + x)).
+Value GraphBuilder::angle(const Syntax& syntax) {
+  const Value y = value_of(syntax.parts[0]), x = value_of(syntax.parts[1]);
+  const auto number = [&](int value) { return Value{.column = y.column, .constant = value}; };
+  const auto unary = [&](Operation operation, const Value& a) { return applied(operation, a, a); };
+  if (x.constant && y.constant && *x.constant == 0 && *y.constant == 0) {
+    fail(y.column, "atan2 has no value there" + index_values(), "0, 0", "a direction");
+  }
+  const Value across = unary(Operation::absolute, x), up = unary(Operation::absolute, y);
+  const Value ratio = applied(Operation::divide, applied(Operation::subtract, up, across),
+                              applied(Operation::add, up, across));
+  const Value eighth = applied(Function::atan, number(1));
+  const Value turned = applied(Operation::subtract, eighth, applied(Function::atan, ratio));
+  const Value half = applied(Operation::subtract, applied(Operation::multiply, number(2), eighth),
+                             applied(Operation::multiply, applied(Function::sign, x), turned));
+  return applied(Operation::multiply, applied(Function::sign, y), half);
+}
+
+/// The value of table("points.csv", value, degree).
+Value GraphBuilder::interpolated(const Syntax& syntax) {
+  const Syntax& file = syntax.parts[0];
+  if (file.kind != Syntax::Kind::text) {
+    fail(file.column, "the first argument of table is a file", file.text, "a file in quotes");
+  }
+  const long degree = syntax.parts.size() == 2 ? 1 : integer(syntax.parts[2]);
+  if (degree < 1 || degree > Interpolation::most_degree) {
+    fail(syntax.parts[2].column, "the degree of a table is out of range", std::to_string(degree),
+         fmt::format("1..{}", Interpolation::most_degree));
+  }
+  if (!read_points_) {
+    fail(file.column, "a table is read only for a scene's file", file.text, "f and g of a scene");
+  }
+  Result<Interpolation> table = read_points_(file.text, static_cast<int>(degree));
+  if (!table.ok()) {
+    Error error = table.error();
+    error.column = static_cast<int>(file.column);
+    throw Failure{std::move(error)};
+  }
+  return applied(Function::through(file.text, *table), value_of(syntax.parts[1]));
 }
 
 /// The value of within(value, low, high).
@@ -338,6 +441,9 @@ Value GraphBuilder::limited(const Syntax& syntax) {
     fail(value.column, "a constant needs no limits", to_text(*value.constant),
          "an expression of inputs");
   }
+  const auto limit = [&](const Syntax& end) {
+    return constant(end, "a number, or numbers and + - * / ^");
+  };
   const Range limits = {.low = limit(syntax.parts[1]), .high = limit(syntax.parts[2])};
   const auto refuse = [&](const char* message) {
     fail(syntax.parts[1].column, message + index_values(),
@@ -349,13 +455,12 @@ Value GraphBuilder::limited(const Syntax& syntax) {
   return value;
 }
 
-mpq_class GraphBuilder::limit(const Syntax& syntax) {
+mpq_class GraphBuilder::constant(const Syntax& syntax, const std::string& accepted) {
   const bool outer = std::exchange(constants_only_, true);
   const Value value = value_of(syntax);
   constants_only_ = outer;
   if (!value.constant) {
-    fail(syntax.column, "not a constant", "an input or a square root",
-         "a number, or numbers and + - * / ^");
+    fail(syntax.column, "not a constant", "an input, a root or a function", accepted);
   }
   return *value.constant;
 }
@@ -458,11 +563,13 @@ Value GraphBuilder::applied(Operation operation, const Value& a, const Value& b)
                                               : graph_.apply(operation, first, node_of(b)));
 }
 
-Value GraphBuilder::applied(Function function, const Value& argument) {
-  const std::optional<mpq_class> end = open_end(function);
-  if (argument.constant && end && *argument.constant <= *end) {
+Value GraphBuilder::applied(const Function& function, const Value& argument) {
+  if (argument.constant && function == Function::sign) {
+    return {.column = argument.column, .constant = *argument.constant < 0 ? -1 : 1};
+  }
+  if (argument.constant && !domain(function).contains(*argument.constant)) {
     fail(argument.column,
-         fmt::format("{} has no value there{}", to_string(function), index_values()),
+         fmt::format("{} has no value there{}", applied_text(function, "x"), index_values()),
          to_text(*argument.constant), accepted_arguments(function));
   }
   return made(argument.column, graph_.apply(function, node_of(argument)));
@@ -549,8 +656,9 @@ std::set<std::string> GraphBuilder::used_lets() const {
 Result<NodeId> parse_expression(Graph& graph, const std::string& text,
                                 std::span<const LetDefinition> lets,
                                 std::set<std::string>* used_lets,
-                                std::span<const IndexValue> indices) {
-  GraphBuilder builder(graph, lets, indices);
+                                std::span<const IndexValue> indices,
+                                const ReadPoints& read_points) {
+  GraphBuilder builder(graph, lets, indices, read_points);
   try {
     const NodeId root = builder.node_of(builder.parse(text));
     builder.check_index_names();
@@ -564,7 +672,7 @@ Result<NodeId> parse_expression(Graph& graph, const std::string& text,
 Result<IndexRange> parse_index_range(const std::string& text, std::span<const LetDefinition> lets) {
   MIXCMP_TRY(syntax, parse_range_syntax(text));
   Graph scratch;
-  GraphBuilder builder(scratch, lets, {});
+  GraphBuilder builder(scratch, lets, {}, {});
   try {
     return builder.range(syntax);
   } catch (Failure& failure) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -21,6 +22,9 @@ struct IndexValue {
   long value;
 };
 
+/// Reads the points of table("FILE", x, degree). The error names the file.
+using ReadPoints = std::function<Result<Interpolation>(const std::string& file, int degree)>;
+
 /// Parses `text` into `graph`; docs/scene_file.md has the grammar. Names that are neither an index
 /// nor a let are inputs; lets do not see `indices`. Operations on constants are done exactly and
 /// add no node, except square roots.
@@ -31,7 +35,8 @@ struct IndexValue {
 Result<NodeId> parse_expression(Graph& graph, const std::string& text,
                                 std::span<const LetDefinition> lets,
                                 std::set<std::string>* used_lets = nullptr,
-                                std::span<const IndexValue> indices = {});
+                                std::span<const IndexValue> indices = {},
+                                const ReadPoints& read_points = {});
 
 /// An index and its values first..last, at least one.
 struct IndexRange {

@@ -203,10 +203,15 @@ struct subscript : if_must<open_bracket, gap, expression, close_bracket> {};
 struct variable_name : identifier {};
 struct variable : seq<variable_name, star<gap, subscript>> {};
 
-struct primary : sor<group, number, call, variable> {};
-struct small_integer
-    : seq<at<plus<digit>, not_at<sor<point, ranges<'a', 'z', 'A', 'Z', '_'>>>>, plus<digit>> {};
-struct power : if_must<one<'^'>, gap, small_integer, gap> {};
+template <char Quote>
+struct quoted_text : seq<one<Quote>, until<one<Quote>>> {};
+struct text : sor<quoted_text<'"'>, quoted_text<'\''>> {};
+
+struct primary : sor<group, number, text, call, variable> {};
+struct exponent_signs : plus<one<'-'>, gap> {};
+struct negative_exponent : if_must<exponent_signs, primary> {};
+struct exponent : sor<negative_exponent, primary> {};
+struct power : if_must<one<'^'>, gap, exponent, gap> {};
 struct powered : seq<primary, gap, opt<power>> {};
 struct minus_signs : plus<one<'-'>, gap> {};
 struct negation : if_must<minus_signs, powered> {};
@@ -237,8 +242,6 @@ template <>
 constexpr std::string_view accepted<comma> = "an operator or ',' and the term";
 template <>
 constexpr std::string_view accepted<index_range> = "an index and its values: k in 0..3";
-template <>
-constexpr std::string_view accepted<small_integer> = "an integer literal 1..16 after '^'";
 template <>
 constexpr std::string_view accepted<eof> = "an operator + - * / or the end";
 
@@ -293,9 +296,15 @@ struct Push {
   }
 };
 template <>
-struct Action<rules::number> : Push<Syntax::Kind::number> {};
+struct Action<rules::text> {
+  template <class Input>
+  static void apply(const Input& in, Gathering& gathering) {
+    const std::string quoted = in.string();
+    gathering.push(Syntax::Kind::text, column_of(in), quoted.substr(1, quoted.size() - 2));
+  }
+};
 template <>
-struct Action<rules::small_integer> : Push<Syntax::Kind::number> {};
+struct Action<rules::number> : Push<Syntax::Kind::number> {};
 template <>
 struct Action<rules::variable_name> : Push<Syntax::Kind::name> {};
 
@@ -349,8 +358,7 @@ struct Action<rules::group> {
     gathering.set_column(column_of(in));
   }
 };
-template <>
-struct Action<rules::minus_signs> {
+struct BeginSigns {
   template <class Input>
   static void apply(const Input& in, Gathering& gathering) {
     const std::string signs = in.string();
@@ -358,12 +366,20 @@ struct Action<rules::minus_signs> {
   }
 };
 template <>
-struct Action<rules::negation> {
+struct Action<rules::minus_signs> : BeginSigns {};
+template <>
+struct Action<rules::exponent_signs> : BeginSigns {};
+
+struct EndSigns {
   template <class Input>
   static void apply(const Input& in, Gathering& gathering) {
     gathering.end_signs(column_of(in));
   }
 };
+template <>
+struct Action<rules::negation> : EndSigns {};
+template <>
+struct Action<rules::negative_exponent> : EndSigns {};
 template <>
 struct Action<rules::function_name> {
   template <class Input>

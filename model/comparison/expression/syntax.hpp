@@ -18,10 +18,11 @@ constexpr std::size_t max_nesting = 100;
 struct Syntax {
   enum class Kind {
     number,
+    text,       ///< in quotes
     name,       ///< parts: the subscripts
     negation,   ///< parts: the operand
     identity,   ///< parts: the operand, after an even number of minus signs
-    power,      ///< parts: the base, the exponent (a number)
+    power,      ///< parts: the base, the exponent
     chain,      ///< parts: operands, joined from the left
     call,       ///< parts: the arguments
     reduction,  ///< parts: first and last value of the index, the term
@@ -30,7 +31,7 @@ struct Syntax {
 
   Kind kind;
   std::size_t column;   ///< 1-based
-  std::string text;     ///< a number's digits, a name, a function's name
+  std::string text;     ///< a number's digits, a text without its quotes, a name, a function's name
   std::size_t nesting;  ///< levels around it, including those outside the text
   std::vector<Syntax> parts;
   std::vector<Operation> operations;  ///< operations of a chain: operations[k] joins parts[k + 1]

@@ -16,6 +16,14 @@ enum class Binding {
   atom,
 };
 
+bool is_power(const Node& node) {
+  return node.function && node.function->kind() == Function::power;
+}
+
+bool is_power(const TypedNode& /*node*/) {
+  return false;
+}
+
 template <class AnyNode>
 Binding binding_of(const AnyNode& node) {
   switch (node.operation) {
@@ -35,8 +43,8 @@ Binding binding_of(const AnyNode& node) {
     case Operation::square_root:
     case Operation::minimum:
     case Operation::maximum:
-    case Operation::function:
     case Operation::look_up: return Binding::atom;
+    case Operation::function: return is_power(node) ? Binding::power : Binding::atom;
   }
   MIXCMP_CHECK(false);
 }
@@ -84,7 +92,7 @@ private:
       case Operation::square_root: return call(node, "sqrt");
       case Operation::minimum: return call(node, "min");
       case Operation::maximum: return call(node, "max");
-      case Operation::function: return call(node, function_name(node));
+      case Operation::function: return function(node);
       case Operation::fused_sum: return terms(node);
       case Operation::look_up: return call(node, "look_up");
       case Operation::convert: break;
@@ -92,11 +100,16 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  static std::string_view function_name(const Node& node) { return to_string(*node.function); }
-  static std::string_view function_name(const TypedNode& /*node*/) {
-    MIXCMP_CHECK(!"floating point has no functions");
-    return {};
+  void function(const Node& node) {
+    // What stands before the argument and behind it.
+    const std::string whole = applied_text(*node.function, "#");
+    const std::size_t argument = whole.rfind('#');
+    text_ += whole.substr(0, argument);
+    expression(node.operands[0], is_power(node) ? Binding::atom : Binding::sum);
+    text_ += whole.substr(argument + 1);
   }
+
+  void function(const TypedNode& /*node*/) { MIXCMP_CHECK(!"floating point has no functions"); }
 
   void terms(const Node& /*node*/) { MIXCMP_CHECK(!"only rounding makes a sum a fused one"); }
 

@@ -94,9 +94,18 @@ Knowledge enclose_root(Interval& y, const Interval& x) {
   return Knowledge::enclosed;
 }
 
-/// The precision of the ends is kept. Where the function has no value at an end, mpfi gives NaN or
-/// an infinity.
-Knowledge enclose_function(Interval& y, const Interval& x, Function function) {
+/// The precision of the ends is kept. Where the function has a pole, mpfi gives NaN or an infinity.
+Knowledge enclose_function(Interval& y, const Interval& x, const Function& function) {
+  const Domain accepted = domain(function);
+  const auto is_below = [&](const BigFloat& number) {
+    const int order = accepted.low ? mpfr_cmp_q(number.get(), accepted.low->get_mpq_t()) : 1;
+    return accepted.is_open ? order <= 0 : order < 0;
+  };
+  const auto is_above = [&](const BigFloat& number) {
+    return accepted.high && mpfr_cmp_q(number.get(), accepted.high->get_mpq_t()) > 0;
+  };
+  if (is_below(x.high) || is_above(x.low)) return Knowledge::undefined;
+  if (is_below(x.low) || is_above(x.high)) return Knowledge::uncertain;
   const mpfr_prec_t precision = y.low.precision();
   mpfi_t argument, value;
   mpfi_init2(argument, precision);
@@ -107,10 +116,7 @@ Knowledge enclose_function(Interval& y, const Interval& x, Function function) {
   mpfi_get_right(y.high.get(), value);
   mpfi_clear(argument);
   mpfi_clear(value);
-  if (is_finite(y)) return Knowledge::enclosed;
-  const std::optional<mpq_class> end = open_end(function);
-  const bool is_outside = end && mpfr_cmp_q(x.high.get(), end->get_mpq_t()) <= 0;
-  return is_outside ? Knowledge::undefined : Knowledge::uncertain;
+  return is_finite(y) ? Knowledge::enclosed : Knowledge::uncertain;
 }
 
 bool is_commutative(Operation operation) {

@@ -471,8 +471,11 @@ private:
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
     }
-    if (any([](const FixedNode& node) { return node.function.has_value(); })) {
+    if (any([](const FixedNode& node) { return node.function && !has_jumps(*node.function); })) {
       add_step("10", "docs/fixed_point.md, theorem 10: value and error of a function");
+    }
+    if (any([](const FixedNode& node) { return node.function && has_jumps(*node.function); })) {
+      add_step("11", "docs/fixed_point.md, theorem 11: value and error of sign and mod");
     }
     if (lane_.format.is_block) {
       add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");

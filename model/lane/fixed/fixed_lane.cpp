@@ -365,7 +365,7 @@ int most_dropped_in_common(const FixedLane& lane) {
   return most;
 }
 
-bool has_quotient(const Graph& graph, NodeId quotient) {
+bool divides_by_constant(const Graph& graph, NodeId quotient) {
   const Node& divisor = graph.nodes()[graph.nodes()[quotient].operands[1]];
   return divisor.operation == Operation::constant && divisor.value != 0;
 }

@@ -73,7 +73,7 @@ struct FixedNode {
   /// For Operation::look_up, the conversions `floating`, `place` and `function_value`, and
   /// constants in their place.
   std::optional<Function> function = {};
-  int power = 0;  ///< for Operation::look_up: of t, whose coefficient it is
+  int power = 0;  ///< of a look_up: of t; -1 where the word is the start of a piece
   Range value;    ///< encloses the computed number: the result times its unit
   Range error;    ///< encloses the computed number less the real one
 
@@ -227,8 +227,8 @@ std::vector<OperandFormat> arriving_formats(const FixedLane& lane);
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
 
-/// Whether a lane in fixed point has this quotient: its divisor is a constant other than zero.
-bool has_quotient(const Graph& graph, NodeId quotient);
+/// Whether the divisor of a quotient is a constant other than zero.
+bool divides_by_constant(const Graph& graph, NodeId quotient);
 
 /// The format in which an input arrives.
 OperandFormat operand_format(const FixedLane& lane, int input);

@@ -10,6 +10,8 @@
 namespace mixcmp::fixed {
 namespace {
 
+using function::Interval;
+
 /// A function's value has at most W + 8 bits.
 constexpr int spare_function_bits = 8;
 
@@ -21,14 +23,28 @@ Range stood_for(const Range& computed, const Range& error) {
   return difference(computed, error);
 }
 
+/// Whether |f(x) - f(y)| <= f(|x - y|): the function is concave and 0 at 0.
+bool is_subadditive(const Function& function) {
+  if (function.kind() != Function::power) return false;
+  return 0 < function.parameter() && function.parameter() < 1;
+}
+
 /// By how much a function's value changes if its argument does by an error: the slopes between the
-/// computed argument and the real one, times the error. None if some slope has no bound.
-std::optional<Range> moved_by(Function function, const Range& computed, const Range& error) {
+/// computed argument and the real one, times the error. None if there is no bound.
+std::optional<Range> moved_by(const Function& function, const Range& computed, const Range& error) {
   const Range real = stood_for(computed, error);
   const Range both = {std::min(computed.low, real.low), std::max(computed.high, real.high)};
-  const function::Interval slope = function::taylor(function, function::Interval(both), 2).back();
-  if (!slope.is_bounded()) return std::nullopt;
-  return product(slope.range(), error);
+  const std::vector<Interval> series = function::taylor(function, Interval(both), 2);
+  if (!series.front().is_bounded()) return std::nullopt;
+  if (error == Range{0, 0}) return error;
+  std::optional<Range> moved;
+  if (series.back().is_bounded()) moved = product(series.back().range(), error);
+  if (is_subadditive(function)) {
+    const Range most = function::value(function, Interval(absolute(error).high)).range();
+    if (!moved) moved = {-most.high, most.high};
+    narrow(*moved, {-most.high, most.high});
+  }
+  return moved;
 }
 
 /// The unit of a function's values. As for a root, it is the power of two at or below half of the
@@ -89,8 +105,10 @@ std::optional<Range> FixedGraphBuilder::enclosed(NodeId id) {
       return Range{root_of(radicand.low, root_digits), root_above(radicand.high, root_digits)};
     }
     case Operation::divide: {
-      const mpq_class reciprocal = 1 / graph_.nodes()[node.operands[1]].value;
-      const Range factor = {reciprocal, reciprocal};
+      if (is_normalised_difference(id)) return Range{-1, 1};
+      const Range& divisor = declared(node.operands[1]);
+      if (divisor.low <= 0 && divisor.high >= 0) return std::nullopt;
+      const Range factor = {1 / divisor.high, 1 / divisor.low};
       return exact_value(Operation::multiply, declared(node.operands[0]), factor);
     }
     case Operation::negate:
@@ -114,19 +132,23 @@ std::optional<Range> FixedGraphBuilder::enclosed(NodeId id) {
 
 /// The argument of a function, limited if its format has numbers beyond what the scene declares at
 /// which the function has no value or is steep.
-Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
-  const Function function = *graph_.nodes()[id].function;
-  const NodeId whole = factor(operand(id, 0));
+Result<NodeId> FixedGraphBuilder::argument_of(NodeId id, const Function& function, NodeId whole,
+                                              const Range& real) {
   const FixedNode& argument = nodes_[whole];
   const mpq_class unit = argument.format.unit();
-  const Range& real = declared(graph_.nodes()[id].operands[0]);
   mpz_class least = floor_of((real.low + argument.error.low) / unit);
-  if (const auto end = open_end(function)) {
-    least = std::max<mpz_class>(least, floor_of((*end + argument.error.high) / unit) + 1);
+  const Domain accepted = domain(function);
+  if (accepted.low && (accepted.is_open || !accepted.contains(real.low))) {
+    const mpq_class end = (*accepted.low + argument.error.high) / unit;
+    const mpz_class first = accepted.is_open ? floor_of(end) + 1 : ceiling_of(end);
+    least = std::max(least, first);
+  }
+  mpz_class greatest = ceiling_of((real.high + argument.error.high) / unit);
+  if (accepted.high && real.high > *accepted.high) {
+    greatest = std::min(greatest, floor_of((*accepted.high + argument.error.low) / unit));
   }
   Range limits = {std::max<mpq_class>(argument.value.low, least * unit),
-                  std::min<mpq_class>(argument.value.high,
-                                      ceiling_of((real.high + argument.error.high) / unit) * unit)};
+                  std::min<mpq_class>(argument.value.high, greatest * unit)};
   const auto limited =
       limits.low > limits.high ? std::nullopt : moved_by(function, limits, argument.error);
   if (!limited) {
@@ -148,8 +170,9 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
 
 /// The node of the coefficient of t^power. A constant does not read the argument, whose operands
 /// and limits are checked only if something does: a polynomial of degree 0 is a look-up.
-NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
-                                      int power, NodeId argument) {
+NodeId FixedGraphBuilder::coefficient(const Function& function,
+                                      const function::Piecewise& piecewise, int power,
+                                      NodeId argument) {
   const function::CoefficientTable& table = piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
   const bool is_read = piecewise.degree() > 0 || is_constant(nodes_, argument);
@@ -160,21 +183,31 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
     constant.value = {table.words[0] * unit, table.words[0] * unit};
     return add(std::move(constant));
   }
-  FixedNode word{.operation = Operation::look_up, .operands = {argument, -1}, .constant = {}};
+  FixedNode word =
+      word_of(function, argument, with_address(table.words), table.format.unit_exponent);
   word.format = table.format;
-  mpz_class least = table.words[0], greatest = table.words[0];
-  for (std::size_t k = 1; k < table.words.size(); ++k) {
-    least = std::min(least, table.words[k]);
-    greatest = std::max(greatest, table.words[k]);
-  }
-  word.value = {least * unit, greatest * unit};
-  word.words = with_address(table.words);
-  word.function = function;
   word.power = power;
   return add(std::move(word));
 }
 
-NodeId FixedGraphBuilder::floating_code(Function function, NodeId argument) {
+/// A word of a table, whose address is the upper bits of a node.
+FixedNode FixedGraphBuilder::word_of(const Function& function, NodeId address,
+                                     const function::Words& words, int unit_exponent) const {
+  FixedNode word{.operation = Operation::look_up, .operands = {address, -1}, .constant = {}};
+  mpz_class least = words[0], greatest = words[0];
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    least = std::min(least, words[k]);
+    greatest = std::max(greatest, words[k]);
+  }
+  word.value = {scaled(mpq_class(least), unit_exponent),
+                scaled(mpq_class(greatest), unit_exponent)};
+  word.format = format_of(word.value, unit_exponent);
+  word.words = words;
+  word.function = function;
+  return word;
+}
+
+NodeId FixedGraphBuilder::floating_code(const Function& function, NodeId argument) {
   const FixedNode& number = nodes_[argument];
   const function::FloatingCode code{number.format.width};
   const auto at = [&](const mpq_class& end) {
@@ -189,40 +222,148 @@ NodeId FixedGraphBuilder::floating_code(Function function, NodeId argument) {
   return add(std::move(node));
 }
 
-/// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
-/// that they have no error.
-NodeId FixedGraphBuilder::polynomial(Function function, const function::Piecewise& piecewise,
-                                     NodeId argument) {
+/// Where the argument lies: the node whose upper bits are the address of its piece, and t.
+FixedGraphBuilder::Place FixedGraphBuilder::place_of(const Function& function,
+                                                     const function::Piecewise& piecewise,
+                                                     NodeId argument) {
+  if (!piecewise.starts.empty()) return place_after_start(function, piecewise, argument);
   if (piecewise.is_floating) argument = floating_code(function, argument);
-  NodeId sum = coefficient(function, piecewise, piecewise.degree(), argument);
-  if (piecewise.degree() == 0) return sum;
+  if (piecewise.degree() == 0) return {argument, -1};
   FixedNode place = conversion(Conversion::place, argument);
   place.format = {.width = piecewise.piece_bits,
                   .unit_exponent = nodes_[argument].format.unit_exponent};
   place.value = {0, place.format.largest() * place.format.unit()};
   place.error = {0, 0};
   place.function = function;
-  const NodeId t = add(std::move(place));
+  return {argument, add(std::move(place))};
+}
+
+/// The address is the sum of one for each start but the first that the argument reaches; t is the
+/// argument less the start of its piece.
+FixedGraphBuilder::Place FixedGraphBuilder::place_after_start(const Function& function,
+                                                              const function::Piecewise& piecewise,
+                                                              NodeId argument) {
+  const int unit_exponent = nodes_[argument].format.unit_exponent;
+  const std::vector<mpz_class>& starts = piecewise.starts;
+  std::vector<NodeId> reached;
+  for (std::size_t k = 1; k < starts.size(); ++k) {
+    const NodeId start =
+        exact_constant(starts[k], unit_exponent, scaled(mpq_class(starts[k]), unit_exponent));
+    const NodeId beyond = add(itself(exactly(Operation::subtract, argument, start)));
+    const function::Words one_or_none(std::vector<mpz_class>{1, 0});
+    reached.push_back(add(word_of(Function::sign, beyond, one_or_none, 0)));
+  }
+  while (reached.size() > 1) {
+    std::vector<NodeId> sums;
+    for (std::size_t k = 0; k + 1 < reached.size(); k += 2) {
+      sums.push_back(add(exactly(Operation::add, reached[k], reached[k + 1])));
+    }
+    if (reached.size() % 2 != 0) sums.push_back(reached.back());
+    reached = std::move(sums);
+  }
+  if (reached.empty()) reached.push_back(argument);  // one piece, whose words have no address
+  NodeId start = -1;
+  if (starts.size() == 1) {
+    start = exact_constant(starts[0], unit_exponent, scaled(mpq_class(starts[0]), unit_exponent));
+  } else {
+    std::vector<mpz_class> all = starts;
+    all.resize(std::size_t{1} << piecewise.address_bits(), starts.back());
+    FixedNode word = word_of(function, reached.front(), function::Words(all), unit_exponent);
+    word.power = -1;
+    start = add(std::move(word));
+  }
+  FixedNode t = itself(exactly(Operation::subtract, argument, start));
+  t.format = {.width = piecewise.piece_bits, .unit_exponent = unit_exponent};
+  t.value = {0, t.format.largest() * t.format.unit()};
+  t.function = function;
+  return {reached.front(), add(std::move(t))};
+}
+
+/// A node that stands for the computed number, not for a real one.
+FixedNode FixedGraphBuilder::itself(FixedNode node) const {
+  node.error = {0, 0};
+  return node;
+}
+
+/// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
+/// that they have no error.
+NodeId FixedGraphBuilder::polynomial(const Function& function, const function::Piecewise& piecewise,
+                                     NodeId argument) {
+  const auto [address, t] = place_of(function, piecewise, argument);
+  NodeId sum = coefficient(function, piecewise, piecewise.degree(), address);
   for (int k = piecewise.degree() - 1; k >= 0; --k) {
-    const NodeId constant = coefficient(function, piecewise, k, argument);
+    const NodeId constant = coefficient(function, piecewise, k, address);
     FixedNode product = exactly(Operation::multiply, sum, t);
     drop_bits(product, piecewise.coefficients[static_cast<std::size_t>(k)].format.unit_exponent -
                            product.format.unit_exponent);
-    product.error = {0, 0};
-    const NodeId multiple = add(std::move(product));
+    const NodeId multiple = add(itself(std::move(product)));
     sum = add(exactly(Operation::add, constant, multiple));
   }
   return sum;
 }
 
 Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
-  const Function function = *graph_.nodes()[id].function;
-  MIXCMP_TRY(argument, argument_of(id));
+  const Node& node = graph_.nodes()[id];
+  return applied(id, *node.function, factor(operand(id, 0)), declared(node.operands[0]), 0);
+}
+
+/// Whether a quotient is (u - v) / (u + v) of numbers that are not negative: it is from -1 to 1.
+bool FixedGraphBuilder::is_normalised_difference(NodeId id) {
+  const auto [dividend, divisor] = graph_.nodes()[id].operands;
+  const Node &first = graph_.nodes()[dividend], &second = graph_.nodes()[divisor];
+  if (first.operation != Operation::subtract || second.operation != Operation::add) return false;
+  const auto [u, v] = first.operands;
+  return std::minmax(u, v) == std::minmax(second.operands[0], second.operands[1]) &&
+         declared(u).low >= 0 && declared(v).low >= 0;
+}
+
+/// A quotient by a variable: the dividend times a power of the divisor.
+Result<FixedNode> FixedGraphBuilder::quotient_by_variable(NodeId id) {
+  const auto [dividend, divisor] = graph_.nodes()[id].operands;
+  Range real = declared(divisor);
+  if (real.low < 0 && real.high > 0) {
+    return refused(id, "the divisor may be below 0 and above it",
+                   "a floating-point format, or ranges that leave the divisor one sign");
+  }
+  NodeId argument = factor(operand(id, 1));
+  const bool is_negative = real.low < 0;
+  if (is_negative) {
+    argument = add(operation(Operation::negate, argument));
+    real = {-real.high, -real.low};
+  }
+  // The reciprocal has so many digits more as the quotient is smaller than by its factors' ranges.
+  const NodeId first = operand(id, 0);
+  const std::optional<Range> values = enclosed(id);
+  const mpq_class unit = nodes_[argument].format.unit();
+  const mpq_class least = std::max(real.low, unit);
+  const mpq_class most = absolute(nodes_[first].value).high / least;
+  const mpq_class largest = values ? absolute(*values).high : most;
+  const int further =
+      most > largest && largest > 0 ? static_cast<int>(floor_log2(most) - floor_log2(largest)) : 0;
+  MIXCMP_TRY(reciprocal, applied(id, Function::power_of(-1), argument, real, further));
+  FixedNode quotient = product(first, add(std::move(reciprocal)));
+  if (further > 0) {
+    narrow(quotient.value,
+           rounded_down(mixcmp::sum(*values, quotient.error), quotient.format.unit()));
+    quotient.format = format_of(quotient.value, quotient.format.unit_exponent);
+    quotient.function = Function::power_of(-1);
+  }
+  return is_negative ? operation(Operation::negate, add(std::move(quotient))) : quotient;
+}
+
+/// A function of a node whose real values are in a range. `id` is the node of the expression that
+/// errors name; the value has `further` digits more than others.
+Result<FixedNode> FixedGraphBuilder::applied(NodeId id, const Function& function, NodeId whole,
+                                             const Range& real, int further) {
+  if (function.kind() == Function::sign) return sign(id, whole, real);
+  if (function.kind() == Function::remainder) return remainder(id, function, whole, real);
+  MIXCMP_TRY(argument, argument_of(id, function, whole, real));
   const FixedNode computed = nodes_[argument];
   const mpq_class unit = computed.format.unit();
   const Range moved = *moved_by(function, computed.value, computed.error);
-  const Range values = function::value(function, function::Interval(computed.value)).range();
-  const int unit_exponent = unit_exponent_for(values, absolute(moved).high, options_.format.bits);
+  const Range values = function::value(function, Interval(computed.value)).range();
+  const int unit_exponent =
+      unit_exponent_for(values, absolute(moved).high, options_.format.bits + further);
   const auto piecewise =
       function::approximate(function, computed.format, floor_of(computed.value.low / unit),
                             ceiling_of(computed.value.high / unit), unit_exponent);

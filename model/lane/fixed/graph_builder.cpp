@@ -258,12 +258,15 @@ std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& 
   return operation(Operation::square, factor(multiple));
 }
 
-/// Division by a constant is made a multiplication by its reciprocal.
+/// The dividend times the reciprocal of the divisor.
 Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   const auto [dividend, divisor] = graph_.nodes()[id].operands;
-  if (!has_quotient(graph_, id)) {
-    return refused(id, "fixed point divides only by constants",
-                   "a floating-point format, or f and g without other quotients");
+  if (!divides_by_constant(graph_, id)) {
+    if (options_.format.is_block || options_.format.guard_digits > 0) {
+      return refused(id, "lanes with guard digits or blocks divide only by constants",
+                     "a lane such as q13, a floating-point format");
+    }
+    return quotient_by_variable(id);
   }
   const mpq_class reciprocal = 1 / graph_.nodes()[divisor].value;
   if (const auto square = multiple_of_square(reciprocal, dividend)) return *square;

@@ -66,12 +66,36 @@ private:
   /// Encloses the real values of an expression's node, for inputs within their ranges.
   const Range& declared(NodeId id);
   std::optional<Range> enclosed(NodeId id);
-  Result<NodeId> argument_of(NodeId id);
   Result<FixedNode> function(NodeId id);
-  NodeId coefficient(Function function, const function::Piecewise& piecewise, int power,
+  Result<FixedNode> quotient_by_variable(NodeId id);
+  Result<FixedNode> applied(NodeId id, const Function& function, NodeId whole, const Range& real,
+                            int further);
+  bool is_normalised_difference(NodeId id);
+  /// A number that stands for `meant`.
+  NodeId exact_constant(const mpz_class& number, int unit_exponent, const mpq_class& meant);
+  Result<FixedNode> sign(NodeId id, NodeId argument, const Range& real);
+  Result<FixedNode> remainder(NodeId id, const Function& function, NodeId argument,
+                              const Range& real);
+  Result<NodeId> whole_quotient(NodeId id, const Function& function, NodeId argument,
+                                const Range& count);
+  Result<FixedNode> away_from_jumps(NodeId id, FixedNode result, const mpq_class& divisor,
+                                    const Range& error, const Range& off);
+  Result<NodeId> argument_of(NodeId id, const Function& function, NodeId whole, const Range& real);
+  NodeId coefficient(const Function& function, const function::Piecewise& piecewise, int power,
                      NodeId argument);
-  NodeId floating_code(Function function, NodeId argument);
-  NodeId polynomial(Function function, const function::Piecewise& piecewise, NodeId argument);
+  struct Place {
+    NodeId address;  ///< the node whose upper bits are the address
+    NodeId t;        ///< -1 where the degree is 0
+  };
+  Place place_of(const Function& function, const function::Piecewise& piecewise, NodeId argument);
+  Place place_after_start(const Function& function, const function::Piecewise& piecewise,
+                          NodeId argument);
+  FixedNode itself(FixedNode node) const;
+  FixedNode word_of(const Function& function, NodeId address, const function::Words& words,
+                    int unit_exponent) const;
+  NodeId floating_code(const Function& function, NodeId argument);
+  NodeId polynomial(const Function& function, const function::Piecewise& piecewise,
+                    NodeId argument);
   /// An operation whose result loses the bits that are too many.
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
   FixedNode exactly(Operation operation, NodeId a, NodeId b) const;

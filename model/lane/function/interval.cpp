@@ -30,18 +30,28 @@ Interval& Interval::operator=(const Interval& other) {
   return *this;
 }
 
-bool Interval::is_bounded() const {
-  return is_below(&value_->left, most_exponent) && is_below(&value_->right, most_exponent);
+bool is_bounded(mpfi_srcptr interval) {
+  return is_below(&interval->left, Interval::most_exponent) &&
+         is_below(&interval->right, Interval::most_exponent);
 }
 
 /// A rational number of 2^30 digits would fill memory: MPFR has exponents of that size.
+mpq_class rational(mpfr_srcptr number, int outward) {
+  if (!is_below(number, -Interval::most_exponent)) return to_rational(number);
+  return mpfr_sgn(number) == outward ? outward * power_of_two(-Interval::most_exponent)
+                                     : mpq_class(0);
+}
+
+Range range_of(mpfi_srcptr interval) {
+  return {rational(&interval->left, -1), rational(&interval->right, 1)};
+}
+
+bool Interval::is_bounded() const {
+  return function::is_bounded(value_);
+}
+
 Range Interval::range() const {
-  const mpq_class least = power_of_two(-most_exponent);
-  const auto end = [&](mpfr_srcptr number, int outward) -> mpq_class {
-    if (!is_below(number, -most_exponent)) return to_rational(number);
-    return mpfr_sgn(number) == outward ? mpq_class(outward * least) : mpq_class(0);
-  };
-  return {end(&value_->left, -1), end(&value_->right, 1)};
+  return range_of(value_);
 }
 
 Interval Interval::magnitude() const {

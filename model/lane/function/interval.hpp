@@ -45,4 +45,11 @@ private:
   mpfi_t value_;
 };
 
+/// Interval::is_bounded and Interval::range for intervals of other precisions.
+bool is_bounded(mpfi_srcptr interval);
+Range range_of(mpfi_srcptr interval);
+/// A finite number; one below 2^-most_exponent in magnitude is rounded up or down (outward: 1 or
+/// -1), to that or to 0.
+mpq_class rational(mpfr_srcptr number, int outward);
+
 }  // namespace mixcmp::function

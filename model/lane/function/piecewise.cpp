@@ -37,14 +37,15 @@ mpq_class power(const mpq_class& base, int exponent) {
   return result;
 }
 
-/// The pieces of the arguments with so many lower bits of the code C.
+/// The pieces of the arguments: with so many lower bits of the code C, or with starts.
 struct Pieces {
   FixedFormat argument;
   bool is_floating;
   int piece_bits;
   FixedFormat code;
+  std::vector<mpz_class> starts = {};
   mpz_class least, greatest;  ///< C of the arguments
-  mpz_class first, last;      ///< of the pieces that hold arguments: C / 2^piece_bits, rounded down
+  mpz_class first, last;      ///< the pieces that hold arguments: C / 2^piece_bits, rounded down
 
   Pieces(const FixedFormat& format, bool floating, int bits, const mpz_class& from,
          const mpz_class& to)
@@ -57,7 +58,29 @@ struct Pieces {
         first(upper(least)),
         last(upper(greatest)) {}
 
-  int address_bits() const { return code.width - piece_bits; }
+  Pieces(const FixedFormat& format, std::vector<mpz_class> all_starts, const mpz_class& from,
+         const mpz_class& to)
+      : argument(format),
+        is_floating(false),
+        piece_bits(0),
+        code(format),
+        starts(std::move(all_starts)),
+        least(from),
+        greatest(to),
+        first(piece_of(from)),
+        last(piece_of(to)) {
+    piece_bits = digits_of(floor_of(scaled(span(), -code.unit_exponent)));
+  }
+
+  int address_bits() const {
+    if (starts.empty()) return code.width - piece_bits;
+    return static_cast<int>(std::bit_width(starts.size() - 1));
+  }
+  /// The piece of an argument among those with starts.
+  mpz_class piece_of(const mpz_class& number) const {
+    const auto above = std::upper_bound(starts.begin() + 1, starts.end(), number);
+    return static_cast<unsigned long>(above - starts.begin() - 1);
+  }
   mpz_class code_of(const mpz_class& number) const {
     return is_floating ? FloatingCode{argument.width}.of(number) : number;
   }
@@ -78,10 +101,15 @@ struct Pieces {
     return static_cast<int>(field.get_si()) - floating.offset() - floating.fraction_bits() +
            argument.unit_exponent;
   }
+  /// Whether the piece's only argument is 0, at t = 0.
+  bool is_zero(const mpz_class& piece) const {
+    return is_floating && upper_bits(piece) < FloatingCode{argument.width}.offset();
+  }
   /// The argument at t = 0.
   mpq_class start(const mpz_class& piece) const {
-    const mpz_class number = shifted_left(piece, piece_bits);
+    const mpz_class number = first_code(piece);
     if (!is_floating) return scaled(mpq_class(number), argument.unit_exponent);
+    if (is_zero(piece)) return 0;
     const int fraction_bits = FloatingCode{argument.width}.fraction_bits();
     const mpz_class hidden = shifted_left(1, fraction_bits);
     const mpz_class significand = hidden + number % hidden;
@@ -93,14 +121,28 @@ struct Pieces {
   }
   /// The t of the arguments in a piece.
   Range places(const mpz_class& piece) const {
-    const mpz_class start = shifted_left(piece, piece_bits), most = shifted_left(1, piece_bits) - 1;
+    if (is_zero(piece)) return {0, 0};
+    const mpz_class start = first_code(piece), most = first_code(piece + 1) - 1 - start;
     const mpz_class from = least - start, to = greatest - start;
     return {scaled(mpq_class(std::max<mpz_class>(0, from)), code.unit_exponent),
             scaled(mpq_class(std::min(most, to)), code.unit_exponent)};
   }
   /// The greatest t of any piece.
   mpq_class span() const {
+    if (!starts.empty()) {
+      mpq_class most = 0;
+      for (mpz_class piece = first; piece <= last; ++piece) {
+        most = std::max(most, places(piece).high);
+      }
+      return most;
+    }
     return scaled(mpq_class(shifted_left(1, piece_bits) - 1), code.unit_exponent);
+  }
+
+  /// C where a piece begins; beyond the last start, one beyond the arguments.
+  mpz_class first_code(const mpz_class& piece) const {
+    if (starts.empty()) return shifted_left(piece, piece_bits);
+    return piece < starts.size() ? starts[piece.get_ui()] : mpz_class(greatest + 1);
   }
 
 private:
@@ -119,7 +161,7 @@ struct Line {
 
 /// The polynomial in t that has the function's values at Chebyshev's points of the places, by
 /// Newton's divided differences. Its coefficients are near those numbers; no proof relies on them.
-std::vector<mpf_class> interpolated(Function function, const Line& line, const Range& places,
+std::vector<mpf_class> interpolated(const Function& function, const Line& line, const Range& places,
                                     int degree) {
   const auto count = static_cast<std::size_t>(degree) + 1;
   const mpf_class zero(0, Interval::digits);
@@ -161,21 +203,75 @@ Polynomial moved(Polynomial coefficients, const Interval& at) {
   return coefficients;
 }
 
+/// A part of a piece's places where the function has all derivatives. On a table of points it is a
+/// polynomial there, in x - knot.
+struct SmoothPart {
+  Range places;
+  std::optional<Polynomial> polynomial = {};
+  mpq_class knot = 0;
+
+  /// The function's Taylor coefficients in t around x; the last one is enclosed for all numbers
+  /// within `reach` of x.
+  Polynomial series(const Function& function, const mpq_class& x, const mpq_class& reach, int count,
+                    const mpq_class& slope) const {
+    if (polynomial) {
+      Polynomial around = moved(*polynomial, Interval(x - knot));
+      around.resize(static_cast<std::size_t>(count), 0);
+      scale(around, slope);
+      return around;
+    }
+    Polynomial around = taylor(function, Interval(x), count - 1, slope);
+    const Interval all(Range{x - reach, x + reach});
+    around.push_back(taylor(function, all, count, slope).back());
+    return around;
+  }
+};
+
+/// The parts of a piece between the points of a table, and beyond them, where it is constant.
+std::vector<SmoothPart> smooth_parts(const Function& function, const Line& line,
+                                     const Range& places) {
+  if (function.kind() != Function::table) return {{places}};
+  const Interpolation& table = function.interpolation();
+  const std::vector<mpq_class>& knots = table.knots();
+  std::vector<SmoothPart> all;
+  const auto add = [&](const mpq_class& from, const mpq_class& to) {
+    const mpq_class inside = line.at((from + to) / 2);
+    if (inside < knots.front() || inside > knots.back()) {
+      all.push_back({{from, to}, Polynomial{table.at(inside)}});
+      return;
+    }
+    const std::size_t segment = table.segment_of(inside);
+    const std::vector<mpq_class>& exact = table.polynomial(segment);
+    all.push_back({{from, to}, Polynomial(exact.begin(), exact.end()), knots[segment]});
+  };
+  mpq_class from = places.low;
+  const auto first = std::upper_bound(knots.begin(), knots.end(), line.at(from));
+  for (auto knot = first; knot != knots.end(); ++knot) {
+    const mpq_class place = (*knot - line.start) / line.slope;
+    if (place >= places.high) break;
+    add(from, place);
+    from = place;
+  }
+  add(from, places.high);
+  return all;
+}
+
 /// Encloses polynomial less function for all real t within `radius` of `centre`; none where the
 /// function has no value.
-std::optional<Range> difference_around(Function function, const Polynomial& polynomial,
-                                       const Line& line, const mpq_class& centre,
-                                       const mpq_class& radius) {
+std::optional<Range> difference_around(const Function& function, const SmoothPart& smooth,
+                                       const Polynomial& polynomial, const Line& line,
+                                       const mpq_class& centre, const mpq_class& radius) {
+  if (radius == 0) {
+    const Interval number = moved(polynomial, Interval(centre)).front();
+    return (number - value(function, Interval(line.at(centre)))).range();
+  }
   const auto terms = polynomial.size() + further_terms;
-  const mpq_class x = line.at(centre), reach_of_x = line.slope * radius;
-  const Polynomial here = taylor(function, Interval(x), static_cast<int>(terms), line.slope);
-  const Interval rest = taylor(function, Interval(Range{x - reach_of_x, x + reach_of_x}),
-                               static_cast<int>(terms) + 1, line.slope)
-                            .back();
-  if (!rest.is_bounded()) return std::nullopt;
+  const Polynomial here = smooth.series(function, line.at(centre), line.slope * radius,
+                                        static_cast<int>(terms) + 1, line.slope);
+  if (!here.back().is_bounded()) return std::nullopt;
   const Polynomial around = moved(polynomial, Interval(centre));
   const Interval reach(radius);
-  Interval most = rest.magnitude();
+  Interval most = here.back().magnitude();
   for (std::size_t k = terms; k-- > 1;) {
     const Interval difference = k < around.size() ? around[k] - here[k] : here[k];
     most = difference.magnitude() + reach * most;
@@ -186,16 +282,18 @@ std::optional<Range> difference_around(Function function, const Polynomial& poly
 }
 
 /// Encloses that difference for all real t of the places.
-std::optional<Range> difference_on_piece(Function function, const Polynomial& polynomial,
+std::optional<Range> difference_on_piece(const Function& function, const Polynomial& polynomial,
                                          const Line& line, const Range& places) {
-  const mpq_class span = places.high - places.low, radius = span / (2 * parts);
   std::optional<Range> all;
-  for (int part = 0; part < parts; ++part) {
-    const mpq_class centre = places.low + span * mpq_class(2 * part + 1, 2 * parts);
-    const auto found = difference_around(function, polynomial, line, centre, radius);
-    if (!found) return std::nullopt;
-    all = all ? Range{std::min(all->low, found->low), std::max(all->high, found->high)} : *found;
-    if (radius == 0) break;
+  for (const SmoothPart& smooth : smooth_parts(function, line, places)) {
+    const mpq_class span = smooth.places.high - smooth.places.low, radius = span / (2 * parts);
+    for (int part = 0; part < parts; ++part) {
+      const mpq_class centre = smooth.places.low + span * mpq_class(2 * part + 1, 2 * parts);
+      const auto found = difference_around(function, smooth, polynomial, line, centre, radius);
+      if (!found) return std::nullopt;
+      all = all ? Range{std::min(all->low, found->low), std::max(all->high, found->high)} : *found;
+      if (radius == 0) break;
+    }
   }
   return all;
 }
@@ -218,7 +316,7 @@ std::vector<mpz_class> completed(std::vector<std::optional<mpz_class>> table) {
 class Candidate {
 public:
   /// `arguments`: those of the pieces, as numbers.
-  Candidate(Function function, Range arguments, Pieces pieces, int degree, int unit_exponent)
+  Candidate(const Function& function, Range arguments, Pieces pieces, int degree, int unit_exponent)
       : function_(function),
         arguments_(std::move(arguments)),
         pieces_(std::move(pieces)),
@@ -233,6 +331,7 @@ public:
 
   int degree() const { return degree_; }
   bool is_floating() const { return pieces_.is_floating; }
+  bool has_starts() const { return !pieces_.starts.empty(); }
   int address_bits() const { return pieces_.address_bits(); }
 
   /// Tries the pieces at both ends and in the middle. False: the error is not less than a unit.
@@ -256,6 +355,7 @@ public:
     const double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
     const int bits = pieces_.argument.width;
     double luts = is_floating() ? 0.5 * bits * std::bit_width(static_cast<unsigned>(bits)) : 0;
+    luts += static_cast<double>(pieces_.starts.size()) * bits;
     for (std::size_t k = 0; k < units_.size(); ++k) {
       const int width = FixedFormat::holding(least_[k], greatest_[k], 0).width;
       luts += width * std::max(1.0, words / 64);
@@ -318,6 +418,7 @@ private:
     Piecewise made{.argument = pieces_.argument,
                    .is_floating = is_floating(),
                    .piece_bits = pieces_.piece_bits,
+                   .starts = pieces_.starts,
                    .coefficients = {},
                    .result = {},
                    .error = *error_};
@@ -354,7 +455,23 @@ struct Wanted {
   friend auto operator<=>(const Wanted& a, const Wanted& b) { return a.key() <=> b.key(); }
 
   Range arguments() const { return {least * argument.unit(), greatest * argument.unit()}; }
-  bool may_be_floating() const { return least > 0 && argument.width > 1; }
+  /// Whether pieces that shrink towards 0 help. They do at 0 itself where the function ends there.
+  bool may_be_floating() const {
+    const bool ends_at_zero = domain(function).low == mpq_class(0);
+    return argument.width > 1 && (least > 0 || (least == 0 && ends_at_zero));
+  }
+
+  /// Pieces that begin at the first argument and at the points of a table above it; none if those
+  /// are too many.
+  std::optional<Pieces> between_points() const {
+    std::vector<mpz_class> starts = {least};
+    for (const mpq_class& knot : function.interpolation().knots()) {
+      const mpz_class start = ceiling_of(scaled(knot, -argument.unit_exponent));
+      if (starts.back() < start && start <= greatest) starts.push_back(start);
+    }
+    if (starts.size() > most_starts) return std::nullopt;
+    return Pieces(argument, std::move(starts), least, greatest);
+  }
 
 private:
   using Key = std::tuple<Function, int, int, bool, std::string, std::string, int>;
@@ -392,19 +509,29 @@ std::optional<Piecewise> search(const Wanted& wanted) {
     auto found = candidate(wanted, is_floating, degree, address_bits);
     if (found) open.push_back(std::move(*found));
   };
-  for (int degree = 0; degree <= most_degree; ++degree) {
+  // A polynomial of a higher degree than a table's follows its corners no better.
+  const bool is_table = wanted.function.kind() == Function::table;
+  const int highest = is_table ? wanted.function.interpolation().degree() : most_degree;
+  for (int degree = 0; degree <= highest; ++degree) {
     try_from(false, degree, 0);
     if (wanted.may_be_floating()) try_from(true, degree, 0);
+  }
+  if (is_table) {
+    if (auto pieces = wanted.between_points()) {
+      open.emplace_back(wanted.function, wanted.arguments(), std::move(*pieces), highest,
+                        wanted.unit_exponent);
+      if (!open.back().may_do()) open.pop_back();
+    }
   }
   while (!open.empty()) {
     const auto best = std::min_element(
         open.begin(), open.end(),
         [](const Candidate& a, const Candidate& b) { return a.area() < b.area(); });
     if (auto made = best->certified()) return made;
-    const bool is_floating = best->is_floating();
+    const bool is_floating = best->is_floating(), has_starts = best->has_starts();
     const int degree = best->degree(), address_bits = best->address_bits() + 1;
     open.erase(best);
-    try_from(is_floating, degree, address_bits);
+    if (!has_starts) try_from(is_floating, degree, address_bits);
   }
   return std::nullopt;
 }
@@ -416,7 +543,8 @@ FixedFormat FloatingCode::format() const {
 }
 
 mpz_class FloatingCode::of(const mpz_class& number) const {
-  MIXCMP_CHECK(number > 0);
+  MIXCMP_CHECK(number >= 0);
+  if (number == 0) return shifted_left(offset() - 1, fraction_bits());
   const int exponent = digits_of(number) - 1;
   const mpz_class significand = shifted_left(number, fraction_bits() - exponent);
   return shifted_left(exponent + offset() - 1, fraction_bits()) + significand;
@@ -426,11 +554,18 @@ FixedFormat Piecewise::code() const {
   return is_floating ? FloatingCode{argument.width}.format() : argument;
 }
 
+int Piecewise::address_bits() const {
+  if (!starts.empty()) return static_cast<int>(std::bit_width(starts.size() - 1));
+  return code().width - piece_bits;
+}
+
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
-  const Pieces pieces(piecewise.argument, piecewise.is_floating, piecewise.piece_bits, argument,
-                      argument);
+  const Pieces pieces = piecewise.starts.empty()
+                            ? Pieces(piecewise.argument, piecewise.is_floating,
+                                     piecewise.piece_bits, argument, argument)
+                            : Pieces(piecewise.argument, piecewise.starts, argument, argument);
   const std::size_t address = pieces.address(pieces.first);
-  const mpz_class t = pieces.least - shifted_left(pieces.first, piecewise.piece_bits);
+  const mpz_class t = pieces.least - pieces.first_code(pieces.first);
   const auto coefficient = [&](int k) -> const CoefficientTable& {
     return piecewise.coefficients[static_cast<std::size_t>(k)];
   };
@@ -445,7 +580,7 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
   return floor_of(scaled(mpq_class(sum), finer));
 }
 
-std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
+std::optional<Piecewise> approximate(const Function& function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent) {
   const Wanted wanted{function, argument, least, greatest, unit_exponent};

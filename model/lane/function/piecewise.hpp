@@ -45,21 +45,24 @@ struct CoefficientTable {
 };
 
 /// A number without a sign as a floating-point one: for X = 2^e (1 + F / 2^(w - 1)) of w bits, the
-/// integer (e + offset) 2^(w - 1) + F, whose exponent field ends at all ones. It grows with X.
+/// integer (e + offset) 2^(w - 1) + F, whose exponent field ends at all ones. 0 has the next
+/// smaller field. It grows with X.
 struct FloatingCode {
   int width;  ///< w, 2 or more
 
   int fraction_bits() const { return width - 1; }
-  int exponent_bits() const { return std::bit_width(static_cast<unsigned>(width - 1)); }
+  int exponent_bits() const { return std::bit_width(static_cast<unsigned>(width)); }
   int offset() const { return (1 << exponent_bits()) - width; }
   /// The codes. The unit is that of F.
   FixedFormat format() const;
-  mpz_class of(const mpz_class& number) const;  ///< number > 0
+  mpz_class of(const mpz_class& number) const;
 };
 
 /// A function of a fixed-point number X. C is X itself or, if the pieces shrink towards 0, X as a
 /// FloatingCode. The upper bits of C, in two's complement if it is signed, are the address of a
-/// piece; t is what the `piece_bits` lower bits count, in C's units. With the words c[k] at the
+/// piece; t is what the `piece_bits` lower bits count, in C's units. Pieces with `starts` begin at
+/// the points of a table: the address is the number of starts but the first that are at or below X,
+/// and t is X less the start. With the words c[k] at the
 /// address,
 ///   s[degree] = c[degree],  s[k] = c[k] + (s[k + 1] t, cut to the unit of c[k]),
 /// and the result is s[0] cut to `result`. Words of pieces that no argument reaches are those of
@@ -68,6 +71,7 @@ struct Piecewise {
   FixedFormat argument;
   bool is_floating = false;
   int piece_bits = 0;
+  std::vector<mpz_class> starts = {};          ///< in units of the argument, growing
   std::vector<CoefficientTable> coefficients;  ///< [k], at least one
   FixedFormat result;
   /// Encloses the result less the function's real value at X, for every X of the arguments.
@@ -76,7 +80,7 @@ struct Piecewise {
   /// The format of C.
   FixedFormat code() const;
   int degree() const { return static_cast<int>(coefficients.size()) - 1; }
-  int address_bits() const { return code().width - piece_bits; }
+  int address_bits() const;
   friend bool operator==(const Piecewise&, const Piecewise&) = default;
 };
 
@@ -87,10 +91,12 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 /// among degrees and numbers of pieces by a rough model. `arguments`: the least and the greatest
 /// X, in units of the format. None if the function has no value somewhere between them, or if more
 /// pieces would be needed than 2^most_address_bits. Equal calls are answered from memory.
-std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
+std::optional<Piecewise> approximate(const Function& function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent);
 
 inline constexpr int most_address_bits = 10;
+/// Each start costs a comparison.
+inline constexpr std::size_t most_starts = 128;
 
 }  // namespace mixcmp::function

@@ -1,6 +1,10 @@
 #include "model/lane/function/taylor.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "model/base/common/check.hpp"
+#include "model/base/number/dyadic.hpp"
 
 namespace mixcmp::function {
 namespace {
@@ -73,6 +77,145 @@ Series arc_tangent(const Interval& first, const Interval& x, int count) {
   return y;
 }
 
+bool is_whole(const mpq_class& number) {
+  return number.get_den() == 1;
+}
+
+/// x^exponent for a number x, 0 or more unless the exponent is an integer.
+void raise(mpfr_ptr y, mpfr_srcptr x, const mpq_class& exponent, mpfr_rnd_t rounding) {
+  if (is_whole(exponent)) {
+    mpfr_pow_z(y, x, exponent.get_num_mpz_t(), rounding);
+    return;
+  }
+  const bool divides = exponent < 0;
+  const mpz_class power = abs(exponent.get_num());
+  const mpfr_rnd_t rounded = divides == (rounding == MPFR_RNDU) ? MPFR_RNDD : MPFR_RNDU;
+  mpfr_pow_z(y, x, power.get_mpz_t(), rounded);
+  mpfr_rootn_ui(y, y, exponent.get_den().get_ui(), rounded);
+  if (divides) mpfr_ui_div(y, 1, y, rounding);
+}
+
+/// x^exponent for every x of the interval; that of 0 for those below 0 unless the exponent is an
+/// integer.
+void enclose_power(mpfi_ptr y, mpfi_srcptr x, const mpq_class& exponent) {
+  const bool is_integer = is_whole(exponent);
+  const bool is_even = is_integer && mpz_even_p(exponent.get_num_mpz_t()) != 0;
+  if (exponent < 0 && mpfi_has_zero(x) > 0) {
+    mpfi_set_str(y, "[-inf, inf]", 10);
+    return;
+  }
+  mpfi_t base;
+  mpfi_init2(base, mpfi_get_prec(x));
+  if (is_even) {
+    mpfi_abs(base, x);
+  } else {
+    mpfi_set(base, x);
+  }
+  for (mpfr_ptr end : {&base->left, &base->right}) {
+    if (!is_integer && mpfr_sgn(end) < 0) mpfr_set_zero(end, 1);
+  }
+  const bool falls = exponent < 0;
+  raise(&y->left, falls ? &base->right : &base->left, exponent, MPFR_RNDD);
+  raise(&y->right, falls ? &base->left : &base->right, exponent, MPFR_RNDU);
+  mpfi_clear(base);
+}
+
+/// The series of x^exponent, by the binomial one.
+Series binomial(const Interval& x, const mpq_class& exponent, int count) {
+  const bool is_below = !is_whole(exponent) && mpfr_sgn(&x.get()->right) < 0;
+  Series y;
+  mpq_class factor = is_below ? 0 : 1;  // that of x^(exponent - k)
+  for (int k = 0; k < count; ++k) {
+    const mpq_class left = exponent - k;
+    y.push_back(factor == 0 ? Interval(0) : Interval(factor) * value(Function::power_of(left), x));
+    factor *= left / (k + 1);
+  }
+  return y;
+}
+
+/// floor(x / divisor) if it is the same for all x of the interval.
+std::optional<mpz_class> one_quotient(mpfi_srcptr x, const mpq_class& divisor) {
+  if (!is_bounded(x)) return std::nullopt;
+  const Range range = range_of(x);
+  const mpz_class least = floor_of(range.low / divisor), most = floor_of(range.high / divisor);
+  return least == most ? std::optional(least) : std::nullopt;
+}
+
+void enclose_remainder(mpfi_ptr y, mpfi_srcptr x, const mpq_class& divisor) {
+  if (const auto quotient = one_quotient(x, divisor)) {
+    const mpq_class multiple = *quotient * divisor;
+    mpfi_sub_q(y, x, multiple.get_mpq_t());
+  } else {
+    mpfi_interv_q(y, mpq_class(0).get_mpq_t(), divisor.get_mpq_t());
+  }
+}
+
+void enclose_sign(mpfi_ptr y, mpfi_srcptr x) {
+  const int least = mpfr_sgn(&x->left) < 0 ? -1 : 1, most = mpfr_sgn(&x->right) < 0 ? -1 : 1;
+  mpfi_interv_si(y, least, most);
+}
+
+/// The series of a function that is a line between its jumps. An interval that holds a jump has no
+/// bounded slopes.
+Series line(const Interval& first, bool jumps, int slope, int count) {
+  Series y(static_cast<std::size_t>(count), Interval(0));
+  y.front() = first;
+  if (count > 1) y[1] = slope;
+  for (std::size_t k = 1; jumps && k < y.size(); ++k) mpfi_set_str(y[k].get(), "[-inf, inf]", 10);
+  return y;
+}
+
+/// Encloses p^(k)(t) / k! of a polynomial, by Horner's rule.
+Range derived(const std::vector<mpq_class>& polynomial, std::size_t k, const Range& t) {
+  Range all = {0, 0};
+  for (std::size_t i = polynomial.size(); i-- > k;) {
+    mpz_class choices;
+    mpz_bin_uiui(choices.get_mpz_t(), i, k);
+    const mpq_class factor = choices * polynomial[i];
+    all = sum(product(all, t), {factor, factor});
+  }
+  return all;
+}
+
+/// Encloses the k-th Taylor coefficient of an interpolation. Beyond its ends it is constant.
+Range coefficient(const Interpolation& table, mpfi_srcptr x, std::size_t k) {
+  const std::vector<mpq_class>& knots = table.knots();
+  const auto is_below = [](mpfr_srcptr number, const mpq_class& knot) {
+    return mpfr_cmp_q(number, knot.get_mpq_t()) < 0;
+  };
+  const auto is_above = [](mpfr_srcptr number, const mpq_class& knot) {
+    return mpfr_cmp_q(number, knot.get_mpq_t()) > 0;
+  };
+  std::optional<Range> all;
+  const auto include = [&](const Range& found) {
+    all = all ? Range{std::min(all->low, found.low), std::max(all->high, found.high)} : found;
+  };
+  const auto include_constant = [&](const mpq_class& knot) {
+    const mpq_class value = k == 0 ? table.at(knot) : mpq_class(0);
+    include({value, value});
+  };
+  if (is_below(&x->left, knots.front())) include_constant(knots.front());
+  if (is_above(&x->right, knots.back())) include_constant(knots.back());
+  if (is_below(&x->right, knots.front()) || is_above(&x->left, knots.back())) return *all;
+  const Range inside = {is_below(&x->left, knots.front()) ? knots.front() : rational(&x->left, -1),
+                        is_above(&x->right, knots.back()) ? knots.back() : rational(&x->right, 1)};
+  const std::size_t last = table.segment_of(inside.high);
+  for (std::size_t segment = table.segment_of(inside.low); segment <= last; ++segment) {
+    const mpq_class low = std::max(inside.low, knots[segment]) - knots[segment];
+    const mpq_class high = std::min(inside.high, knots[segment + 1]) - knots[segment];
+    include(derived(table.polynomial(segment), k, {low, high}));
+  }
+  return *all;
+}
+
+Series polynomials(const Interpolation& table, const Interval& x, int count) {
+  Series y;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    y.emplace_back(coefficient(table, x.get(), k));
+  }
+  return y;
+}
+
 Interval log_of_two() {
   Interval constant;
   mpfi_const_log2(constant.get());
@@ -81,10 +224,10 @@ Interval log_of_two() {
 
 }  // namespace
 
-std::vector<Interval> taylor(Function function, const Interval& x, int count) {
+std::vector<Interval> taylor(const Function& function, const Interval& x, int count) {
   MIXCMP_CHECK(count > 0);
   const Interval one = 1, first = value(function, x);
-  switch (function) {
+  switch (function.kind()) {
     case Function::exp: return exponential(first, one, count);
     case Function::exp2: return exponential(first, log_of_two(), count);
     case Function::expm1: {
@@ -102,25 +245,34 @@ std::vector<Interval> taylor(Function function, const Interval& x, int count) {
     case Function::sinh: return oscillation(first, value(Function::cosh, x), 1, count);
     case Function::cosh: return oscillation(first, value(Function::sinh, x), 1, count);
     case Function::tanh: return tangent(first, -1, count);
+    case Function::power: return binomial(x, function.parameter(), count);
+    case Function::sign: return line(first, mpfi_has_zero(first.get()) > 0, 0, count);
+    case Function::remainder:
+      return line(first, !one_quotient(x.get(), function.parameter()), 1, count);
+    case Function::table: return polynomials(function.interpolation(), x, count);
   }
   MIXCMP_CHECK(false);
 }
 
-std::vector<Interval> taylor(Function function, const Interval& x, int count,
+std::vector<Interval> taylor(const Function& function, const Interval& x, int count,
                              const mpq_class& slope) {
   std::vector<Interval> series = taylor(function, x, count);
-  if (slope == 1) return series;
+  scale(series, slope);
+  return series;
+}
+
+void scale(std::vector<Interval>& series, const mpq_class& slope) {
+  if (slope == 1) return;
   const Interval factor(slope);
   Interval power = 1;
   for (Interval& coefficient : series) {
     coefficient = coefficient * power;
     power = power * factor;
   }
-  return series;
 }
 
-void enclose(Function function, mpfi_ptr y, mpfi_srcptr x) {
-  switch (function) {
+void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x) {
+  switch (function.kind()) {
     case Function::exp: mpfi_exp(y, x); return;
     case Function::exp2: mpfi_exp2(y, x); return;
     case Function::expm1: mpfi_expm1(y, x); return;
@@ -134,11 +286,19 @@ void enclose(Function function, mpfi_ptr y, mpfi_srcptr x) {
     case Function::sinh: mpfi_sinh(y, x); return;
     case Function::cosh: mpfi_cosh(y, x); return;
     case Function::tanh: mpfi_tanh(y, x); return;
+    case Function::power: enclose_power(y, x, function.parameter()); return;
+    case Function::sign: enclose_sign(y, x); return;
+    case Function::remainder: enclose_remainder(y, x, function.parameter()); return;
+    case Function::table: {
+      const Range values = coefficient(function.interpolation(), x, 0);
+      mpfi_interv_q(y, values.low.get_mpq_t(), values.high.get_mpq_t());
+      return;
+    }
   }
   MIXCMP_CHECK(false);
 }
 
-Interval value(Function function, const Interval& x) {
+Interval value(const Function& function, const Interval& x) {
   Interval y;
   enclose(function, y.get(), x.get());
   return y;

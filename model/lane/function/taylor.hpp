@@ -11,12 +11,16 @@ namespace mixcmp::function {
 /// the interval, by the recurrences of Moore (Methods and Applications of Interval Analysis, 1979).
 /// An interval that leaves the function's domain has unbounded ones. With a slope they are those of
 /// f(slope t), in t.
-std::vector<Interval> taylor(Function function, const Interval& x, int count);
-std::vector<Interval> taylor(Function function, const Interval& x, int count,
+std::vector<Interval> taylor(const Function& function, const Interval& x, int count);
+std::vector<Interval> taylor(const Function& function, const Interval& x, int count,
                              const mpq_class& slope);
 
-/// Encloses the function's values, in the precision of y.
-void enclose(Function function, mpfi_ptr y, mpfi_srcptr x);
-Interval value(Function function, const Interval& x);
+/// Makes the series of f(t) that of f(slope t).
+void scale(std::vector<Interval>& series, const mpq_class& slope);
+
+/// Encloses the function's values, in the precision of y. Beyond a closed end of its domain a
+/// function has the value of the end.
+void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x);
+Interval value(const Function& function, const Interval& x);
 
 }  // namespace mixcmp::function

@@ -503,9 +503,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Expressions, SceneMistake,
     testing::Values(
-        Mistake{"(ri + rj)^2", "(ri + rj)^17",
-                ":4:16: comparison.g: power out of range: received 17; accepted an integer literal "
-                "1..16 after '^'"},
+        Mistake{"(ri + rj)^2", "(ri + rj)^0",
+                ":4:16: comparison.g: power out of range: received 0; accepted a number other than "
+                "0 of at most 1024 either side (16 if it is whole and below 0), a fraction over at "
+                "most 1000000"},
         Mistake{
             "g = \"(ri + rj)^2\"", "g = '''ri\n  + $'''",
             ":5:5: comparison.g: unexpected character: received '$'; accepted a number, a name, "

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "model/comparison/expression/name.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/comparison/expression/typed_graph.hpp"
 
 namespace mixcmp::test::parser_test {
@@ -216,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"within(2, 1, 3)", 8, "a constant needs no limits", "2", "inputs"},
         Mistake{"within(a, 3, 2)", 11, "the limits are empty", "[3, 2]", "not below"},
         Mistake{"within(a, b, 2)", 11, "unknown constant", "b", "constant"},
-        Mistake{"within(a, 0, sqrt(2))", 14, "not a constant", "an input or a square root",
+        Mistake{"within(a, 0, sqrt(2))", 14, "not a constant", "an input, a root or a function",
                 "numbers"},
         Mistake{"within(a, 0, 1) - within(a, 2, 3)", 29,
                 "no number is within all limits of this value", "[2, 3]", "not below"},
@@ -225,12 +226,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"max()", 1, "max takes 2 arguments or more", "0 arguments", "2 arguments"},
         Mistake{"min(a,)", 7, "unexpected character", "')'", "a number, a name"},
         Mistake{"sqrt + 1", 1, "the function sqrt needs its arguments", "sqrt", "sqrt(...)"},
-        Mistake{"x^0", 3, "power out of range", "0", "1..16"},
-        Mistake{"x^17", 3, "power out of range", "17", "1..16"},
-        Mistake{"x^99999999999999999999", 3, "power out of range", "99999999999999999999", "1..16"},
-        Mistake{"x^-2", 3, "unexpected character", "'-'", "1..16"},
-        Mistake{"x^2.5", 3, "unexpected character", "'2'", "an integer literal"},
-        Mistake{"x^y", 3, "unexpected character", "'y'", "an integer literal"},
+        Mistake{"x^0", 3, "power out of range", "0", "other than 0"},
+        Mistake{"x^-17", 3, "power out of range", "-17", "16 if it is whole and below 0"},
+        Mistake{"x^1025", 3, "power out of range", "1025", "at most 1024"},
+        Mistake{"x^99999999999999999999", 3, "power out of range", "99999999999999999999", "1024"},
+        Mistake{"x^(1/1000001)", 3, "power out of range", "1/1000001", "at most 1000000"},
+        Mistake{"x^y", 3, "unknown constant", "y", "a let that is a constant"},
+        Mistake{"x^", 3, "unexpected end", "the end", "a number"},
+        Mistake{"x^-", 4, "unexpected end", "the end", "a number"},
+        Mistake{"x^sqrt(2)", 3, "not a constant", "an input, a root or a function",
+                "exp2(y * log2(x))"},
+        Mistake{"(-2)^0.3 + x", 1, "x^0.3 has no value there", "-2", "a number of at least 0"},
+        Mistake{"0^-0.3 + x", 1, "x^-0.3 has no value there", "0", "a number above 0"},
+        Mistake{"0^-1 + x", 1, "division by zero", "0", "other than zero"},
         Mistake{"x^2^3", 4, "unexpected character", "'^'", "an operator"},
         Mistake{"x / (1 - 1)", 5, "division by zero", "0", "other than zero"},
         Mistake{"sqrt(-4)", 6, "square root of a negative constant", "-4", "at least zero"},
@@ -247,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "not below it"},
         Mistake{"sum(k in 0..3/2, x)", 13, "not an integer", "1.5", "an integer"},
         Mistake{"x + p[1/2]", 7, "not an integer", "0.5", "an integer"},
-        Mistake{"sum(k in 0..sqrt(4), x)", 13, "not a constant", "an input or a square root",
+        Mistake{"sum(k in 0..sqrt(4), x)", 13, "not a constant", "an input, a root or a function",
                 "an integer"},
         Mistake{"sum(k in 0..10^7, x)", 13, "too large", "10000000", "999999"},
         Mistake{"sum(k in 0..D, x)", 13, "unknown constant", "D", "a let that is a constant"},
@@ -432,6 +440,86 @@ TEST(Parser, FunctionsAreNodes) {
     EXPECT_EQ(graph.first_function(), function);
     EXPECT_TRUE(is_function_name(name));
   }
+}
+
+TEST(Parser, OtherPowersThanProductsAreFunctions) {
+  const std::vector<LetDefinition> lets = {{"gamma", "1 / 2.4"}};
+  for (const auto& [text, exponent] : {std::pair{"x^2.4", mpq_class(12, 5)},
+                                       {"x^-0.5", mpq_class(-1, 2)},
+                                       {"x^(-1/2)", mpq_class(-1, 2)},
+                                       {"x^gamma", mpq_class(5, 12)},
+                                       {"x^20", mpq_class(20)},
+                                       {"x^ - - 2.4", mpq_class(12, 5)}}) {
+    Graph graph;
+    const auto node = parse_expression(graph, text, lets);
+    ASSERT_TRUE(node.ok()) << node.error().to_string();
+    EXPECT_EQ(graph.first_function(), Function::power_of(exponent)) << text;
+  }
+  EXPECT_EQ(value_of("4^-2"), mpq_class(1, 16));
+  EXPECT_EQ(value_of("x^-3", {{"x", 2}}), mpq_class(1, 8));
+  Graph graph;
+  ASSERT_TRUE(parse_expression(graph, "x^0.5", {}).ok());
+  EXPECT_EQ(graph.nodes().back().operation, Operation::square_root);
+  Graph printed;
+  const NodeId node = parse_expression(printed, "(a + b)^(1/3) * -c^2.4", {}).value();
+  EXPECT_EQ(to_text(printed, node, 100), "(a + b)^(1/3) * -c^2.4");
+}
+
+/// Reads y = x^2 at 0, 1 and 2 from "squares.csv".
+Result<Interpolation> read_squares(const std::string& file, int degree) {
+  if (file == "squares.csv") return Interpolation::through({0, 1, 2}, {0, 1, 4}, degree);
+  return Error{.file = file, .message = "no such file"};
+}
+
+TEST(Parser, TablesAreFunctions) {
+  for (const auto& [text, degree] :
+       {std::pair{"table('squares.csv', x)", 1}, {"table( \"squares.csv\" , x, 1 + 1)", 2}}) {
+    Graph graph;
+    const auto node = parse_expression(graph, text, {}, nullptr, {}, read_squares);
+    ASSERT_TRUE(node.ok()) << node.error().to_string();
+    const Function function = *graph.first_function();
+    EXPECT_EQ(function, Function::through("", read_squares("squares.csv", degree).value()));
+    EXPECT_EQ(to_text(graph, *node, 100),
+              degree == 1 ? "table(\"squares.csv\", x)" : "table(\"squares.csv\", x, 2)");
+  }
+  const auto mistake = [](const char* text) {
+    Graph graph;
+    return parse_expression(graph, text, {}, nullptr, {}, read_squares).error();
+  };
+  EXPECT_EQ(mistake("1 + table('cubes.csv', x)").file, "cubes.csv");
+  EXPECT_EQ(mistake("table(x, 'squares.csv')").message, "the first argument of table is a file");
+  EXPECT_EQ(mistake("table('squares.csv')").received, "1 argument");
+  EXPECT_EQ(mistake("table('squares.csv', x, 8)").message, "the degree of a table is out of range");
+  EXPECT_EQ(mistake("table('squares.csv', x, y)").message, "unknown constant");
+  EXPECT_EQ(mistake("table('squares.csv', 3)").accepted, "a number 0..2");
+  EXPECT_EQ(mistake("x + 'squares.csv'").message, "a text in quotes is no number");
+  EXPECT_EQ(mistake("table('squares.csv, x)").column, 7);
+  Graph graph;
+  EXPECT_EQ(parse_expression(graph, "table('a.csv', x)", {}).error().accepted,
+            "f and g of a scene");
+}
+
+TEST(Parser, RemaindersAndSignsOfConstantsAreConstants) {
+  EXPECT_EQ(value_of("mod(-7, 3)"), 2);
+  EXPECT_EQ(value_of("mod(7.5, 2.5)"), 0);
+  EXPECT_EQ(value_of("sign(-0.5) + sign(0) * 3 + sign(2)"), 3);
+  Graph graph;
+  ASSERT_TRUE(parse_expression(graph, "mod(x, 2 * 180)", {}).ok());
+  EXPECT_EQ(graph.first_function(), Function::remainder_by(360));
+  for (const char* text : {"mod(x, 0)", "mod(x, -1)"}) {
+    EXPECT_EQ(error_of(text).message, "mod divides by a number above 0");
+  }
+  EXPECT_EQ(error_of("mod(x)").accepted, "a value and a divisor");
+  EXPECT_EQ(error_of("mod(x, y)").message, "unknown constant");
+}
+
+TEST(Parser, AnglesAreOfDirections) {
+  Graph graph;
+  ASSERT_TRUE(parse_expression(graph, "atan2(y, x)", {}).ok());
+  EXPECT_EQ(graph.inputs(), (std::vector<std::string>{"y", "x"}));
+  EXPECT_EQ(count(graph, Operation::divide), 1);
+  EXPECT_EQ(error_of("atan2(0, 0)").message, "atan2 has no value there");
+  EXPECT_EQ(error_of("atan2(x)").accepted, "y and x");
 }
 
 TEST(Parser, UnknownFunctionsAreAnsweredWithTheNearest) {

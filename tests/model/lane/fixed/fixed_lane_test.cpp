@@ -246,10 +246,15 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
   ASSERT_FALSE(open.ok());
   EXPECT_EQ(open.error().field, "inputs.b.range");
   const Graph quotient = graph_of("a / b", "1");
-  const auto none =
-      fixed::fixed_lane(quotient, format_of(53, 8), {.ranges = {Range{0, 1}, Range{1, 2}}});
-  ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().message, "fixed point divides only by constants: a / b");
+  const auto of_both_signs =
+      fixed::fixed_lane(quotient, format_of(53, 8), {.ranges = {Range{0, 1}, Range{-1, 2}}});
+  ASSERT_FALSE(of_both_signs.ok());
+  EXPECT_EQ(of_both_signs.error().message, "the divisor may be below 0 and above it: a / b");
+  const auto in_blocks = fixed::fixed_lane(
+      quotient, format_of(53, 8), {.format = {9, true}, .ranges = {Range{0, 1}, Range{1, 2}}});
+  ASSERT_FALSE(in_blocks.ok());
+  EXPECT_EQ(in_blocks.error().message,
+            "lanes with guard digits or blocks divide only by constants: a / b");
   const auto negative = fixed::fixed_lane(graph_of("sqrt(a - b)", "1"), format_of(53, 8),
                                           {.ranges = {Range{0, 1}, Range{0, 1}}});
   ASSERT_FALSE(negative.ok());

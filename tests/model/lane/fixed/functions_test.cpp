@@ -87,8 +87,7 @@ private:
 
   Truth function_of(const FixedNode& node, NodeId argument) const {
     const Truth& x = truths_[argument];
-    const auto end = open_end(*node.function);
-    if (!x || (end && x->low <= *end)) return std::nullopt;
+    if (!x || !domain(*node.function).contains(x->low)) return std::nullopt;
     return value_near(*node.function, *x);
   }
 

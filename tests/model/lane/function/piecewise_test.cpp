@@ -22,7 +22,8 @@ using function::approximate;
 using function::evaluate;
 using function::Piecewise;
 
-std::string describe(Function function, const Piecewise& piecewise, const mpz_class& argument) {
+std::string describe(const Function& function, const Piecewise& piecewise,
+                     const mpz_class& argument) {
   return fmt::format("{} of {} in {}, {} address bits, degree {}, to {}", to_string(function),
                      argument.get_str(), piecewise.argument.name(), piecewise.address_bits(),
                      piecewise.degree(), piecewise.result.name());
@@ -40,7 +41,8 @@ void expect_well_formed(const Piecewise& piecewise, int unit_exponent) {
   EXPECT_EQ(piecewise.result.unit_exponent, unit_exponent);
   EXPECT_LE(piecewise.address_bits(), function::most_address_bits);
   EXPECT_GE(piecewise.piece_bits, 0);
-  EXPECT_GE(piecewise.address_bits(), piecewise.argument.is_signed ? 1 : 0);
+  const bool has_sign_in_address = piecewise.argument.is_signed && piecewise.starts.empty();
+  EXPECT_GE(piecewise.address_bits(), has_sign_in_address ? 1 : 0);
   for (const auto& coefficient : piecewise.coefficients) {
     ASSERT_EQ(coefficient.words.size(), std::size_t{1} << piecewise.address_bits());
     for (std::size_t k = 0; k < coefficient.words.size(); ++k) {
@@ -50,7 +52,7 @@ void expect_well_formed(const Piecewise& piecewise, int unit_exponent) {
 }
 
 /// Checks the result at one argument.
-void expect_right(Function function, const Piecewise& piecewise, const mpz_class& argument) {
+void expect_right(const Function& function, const Piecewise& piecewise, const mpz_class& argument) {
   const mpz_class result = evaluate(piecewise, argument);
   const mpq_class computed = result * piecewise.result.unit();
   const Range truth = value_at(function, argument * piecewise.argument.unit());
@@ -82,11 +84,10 @@ std::vector<Arguments> ranges_of(const FixedFormat& format) {
 }
 
 /// The real arguments; they lie in the domain of the function.
-bool has_values(Function function, const Arguments& arguments) {
+bool has_values(const Function& function, const Arguments& arguments) {
   const mpq_class unit = arguments.format.unit();
   const Range real = {arguments.least * unit, arguments.greatest * unit};
-  const auto end = open_end(function);
-  if (end) return real.low > *end;
+  if (const Domain accepted = domain(function); accepted.low) return accepted.contains(real.low);
   return function != Function::tan || (real.low > mpq_class(-3, 2) && real.high < mpq_class(3, 2));
 }
 
@@ -134,6 +135,9 @@ std::set<mpz_class> hard_arguments(const Piecewise& piecewise, const Arguments& 
   };
   const mpz_class span = arguments.greatest - arguments.least + 1;
   for (int k = 0; k < 200; ++k) include(arguments.least + mpz_class(random() >> 1) % span);
+  for (const mpz_class& start : piecewise.starts) {
+    for (int near = -2; near <= 1; ++near) include(start + near);
+  }
   const mpz_class piece = shifted_left(1, piecewise.piece_bits);
   const mpz_class first = floor_of(mpq_class(arguments.least) / piece);
   const mpz_class last = floor_of(mpq_class(arguments.greatest) / piece);
@@ -172,20 +176,20 @@ TEST_P(EveryArgument, OfManyBitsHasAResultWithinTheError) {
   EXPECT_GT(tables, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Functions, EveryArgument, testing::ValuesIn(all_functions),
+INSTANTIATE_TEST_SUITE_P(Functions, EveryArgument, testing::ValuesIn(tested_functions()),
                          [](const auto& parameter) {
-                           return std::string(to_string(parameter.param));
+                           return fmt::format("{}{}", to_string(parameter.param), parameter.index);
                          });
 
 /// The piecewise polynomial of arguments in units of 2^-6.
-std::optional<Piecewise> of_sixty_fourths(Function function, const mpz_class& least,
+std::optional<Piecewise> of_sixty_fourths(const Function& function, const mpz_class& least,
                                           const mpz_class& greatest, int unit_exponent = -8) {
   const FixedFormat format = {.width = 10, .unit_exponent = -6, .is_signed = true};
   return approximate(function, format, least, greatest, unit_exponent);
 }
 
 TEST(Piecewise, IsNoneWhereTheFunctionHasNoValue) {
-  for (const Function logarithm : {Function::log, Function::log2}) {
+  for (const Function::Kind logarithm : {Function::log, Function::log2}) {
     EXPECT_FALSE(of_sixty_fourths(logarithm, 0, 100));
     EXPECT_FALSE(of_sixty_fourths(logarithm, -5, 100));
     EXPECT_FALSE(of_sixty_fourths(logarithm, -100, -5));
@@ -215,6 +219,35 @@ TEST(Piecewise, IsNoneAcrossAPole) {
 TEST(Piecewise, IsNoneWhereItWouldNeedMorePieces) {
   const FixedFormat format = {.width = 20, .unit_exponent = -2};
   EXPECT_FALSE(approximate(Function::sin, format, 0, format.largest(), -8));
+}
+
+/// No piece of few bits follows a corner between two arguments: pieces begin at the points.
+TEST(Piecewise, OfATableBeginsAtItsPointsWhereUnitsAreFine) {
+  const FixedFormat format = {.width = 31, .unit_exponent = -30};
+  const auto coarse = approximate(measured(1), format, 0, format.largest(), -6);
+  const auto fine = approximate(measured(1), format, 0, format.largest(), -28);
+  ASSERT_TRUE(coarse && fine);
+  EXPECT_TRUE(coarse->starts.empty());
+  const std::vector<mpz_class> starts = {0, (shifted_left(1, 30) + 6) / 7};
+  EXPECT_EQ(fine->starts, starts);
+  EXPECT_EQ(fine->degree(), 1);
+  for (const mpz_class& start : starts) {
+    for (int near = -1; near <= 1; ++near) {
+      if (start + near >= 0) expect_right(measured(1), *fine, start + near);
+    }
+  }
+}
+
+TEST(Piecewise, OfATableWithTooManyPointsIsNone) {
+  std::vector<mpq_class> x, y;
+  for (int k = 0; k <= 300; ++k) {
+    x.emplace_back(k, 300);
+    y.emplace_back(k % 2);
+  }
+  for (mpq_class& place : x) place.canonicalize();
+  const Function zigzag = Function::through("", Interpolation::through(x, y, 1).value());
+  const FixedFormat format = {.width = 20, .unit_exponent = -20};
+  EXPECT_FALSE(approximate(zigzag, format, 0, format.largest(), -10));
 }
 
 TEST(Piecewise, OfEqualCallsIsEqual) {
