@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "model/base/number/dyadic.hpp"
 #include "model/comparison/expression/text.hpp"
 #include "model/judge/proof/fixed_degrees.hpp"
+#include "model/judge/proof/function_enclosure.hpp"
 #include "model/judge/proof/norm_conditions.hpp"
 #include "model/judge/proof/script.hpp"
 #include "model/lane/fixed/node_enclosure.hpp"
@@ -28,6 +30,10 @@ using fixed::FixedNode;
 constexpr int places = 128;
 
 constexpr std::size_t most_characters = 60;
+
+/// Intervals of the lane and of the proof are rounded differently. A function's error exceeds the
+/// lane's by at most so small a part of a unit.
+constexpr int places_of_function_errors = 16;
 
 mpq_class multiple_of(const mpq_class& grid, const mpz_class& count) {
   return grid * count;
@@ -56,6 +62,10 @@ bool is_polynomial(Operation operation) {
   }
 }
 
+bool is_inside(const Range& range, const Range& other) {
+  return other.low <= range.low && range.high <= other.high;
+}
+
 class FixedProof {
 public:
   FixedProof(const FixedLane& lane, const Prove& prove)
@@ -63,13 +73,12 @@ public:
     proof_.lane = lane.format.name();
     proof_.kind = "fixed-point";
     for (const FixedNode& node : lane.nodes) {
-      typed_.push_back(TypedNode{.operation = node.operation,
-                                 .operands = node.operands,
-                                 .operand_format = lane.input_format,
-                                 .format = lane.input_format,
-                                 .input = node.input,
-                                 .value = node.format.unit() * node.constant});
+      shown_.push_back(Node{.operation = node.operation,
+                            .operands = node.operands,
+                            .input = node.input,
+                            .value = node.format.unit() * node.constant});
     }
+    find_functions();
   }
 
   LaneProof run() && {
@@ -93,7 +102,22 @@ public:
 
 private:
   std::string text(NodeId id) const {
-    return to_text(typed_, lane_.input_names, id, most_characters);
+    return to_text(shown_, lane_.input_names, id, most_characters);
+  }
+
+  void find_functions() {
+    const auto functions = functions_of(lane_);
+    if (!functions || !functions->empty()) {
+      add_exact("only polynomials read what is inside of them", functions.has_value());
+    }
+    if (!functions) return;
+    for (const FunctionNodes& each : *functions) {
+      functions_.emplace(each.result, each);
+      inside_.insert(each.inside.begin(), each.inside.end());
+      shown_[each.result] = Node{.operation = Operation::function,
+                                 .operands = {each.argument, -1},
+                                 .function = nodes_[each.result].function};
+    }
   }
 
   /// The computed number, and its error. The real number that it stands for is their difference.
@@ -177,6 +201,9 @@ private:
   /// Derives value and error from those of the operands.
   void prove_enclosure(NodeId id) {
     FixedNode& node = nodes_[id];
+    if (const auto function = functions_.find(id); function != functions_.end()) {
+      return prove_function(function->second);
+    }
     if (node.operation == Operation::input) return assume_operand(node);
     if (node.operation == Operation::constant) {
       node.value.low = node.value.high = node.format.unit() * node.constant;
@@ -192,7 +219,10 @@ private:
       node.value = fixed::rounded_down(node.value, node.format.unit());
       return;
     }
-    if (node.operation == Operation::look_up) return;  // theorem 10
+    if (node.operation == Operation::look_up) {
+      node.value = words_of(node);
+      return;
+    }
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
@@ -207,7 +237,38 @@ private:
     node.value = value;
     node.error = exact;
     drop_bits(node);
-    if (is_polynomial(node.operation)) add_script(id, value, exact);
+    if (inside_.contains(id)) {  // the number stands for itself
+      node.error = {0, 0};
+    } else if (is_polynomial(node.operation)) {
+      add_script(id, value, exact);
+    }
+  }
+
+  /// Theorem 10. The comparisons of a running bound's step have those of all comparisons.
+  void prove_function(const FunctionNodes& function) {
+    if (!where_.empty()) return;
+    FixedNode& node = nodes_[function.result];
+    const std::string name = text(function.result);
+    const auto found = enclose_function(nodes_, function);
+    if (!found) {
+      proof_.findings.push_back({"value and error of " + name, Outcome::not_proven,
+                                 "a piece of the polynomial has no bound"});
+      return;
+    }
+    const Range stated = node.error;
+    const mpq_class more = scaled(node.format.unit(), -places_of_function_errors);
+    const bool holds = is_inside(found->value, node.value) &&
+                       is_inside(found->error, {stated.low - more, stated.high + more});
+    const std::string other =
+        fmt::format("; the lane says {} to {}", shown(stated.low), shown(stated.high));
+    proof_.findings.push_back(
+        {fmt::format("value and error of {}: {} to {}", name, shown(found->error.low),
+                     shown(found->error.high)),
+         holds ? Outcome::proven : Outcome::not_proven,
+         fmt::format("by theorem 10, {} pieces of degree {}{}", found->pieces.get_str(),
+                     found->degree, holds ? "" : other)});
+    node.value = found->value;
+    node.error = rounded_outward(found->error, node.format);
   }
 
   /// Theorem 2 on dropped bits, by hand.
@@ -253,11 +314,23 @@ private:
         node.value = in_format(operand.value, node.format);
         node.error = operand.error;
         return;
-      case fixed::Conversion::floating:
+      case fixed::Conversion::floating: node.value = codes_of(operand); return;
       case fixed::Conversion::place:
-      case fixed::Conversion::function_value: return;  // theorem 10
+        node.value = {0, node.format.largest() * node.format.unit()};
+        return;
+      case fixed::Conversion::function_value: return;  // not of a known function
     }
     MIXCMP_CHECK(false);
+  }
+
+  /// The floating-point codes of the numbers above 0.
+  static Range codes_of(const FixedNode& number) {
+    const function::FloatingCode code{number.format.width};
+    const auto at = [&](const mpq_class& end) {
+      const mpz_class units = floor_of(end / number.format.unit());
+      return mpq_class(code.of(std::max<mpz_class>(units, 1)) * code.format().unit());
+    };
+    return {at(number.value.low), at(number.value.high)};
   }
 
   /// Whether the operand of each common cut has at most `most_dropped` bits more than W, and
@@ -472,7 +545,7 @@ private:
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
     }
     if (any([](const FixedNode& node) { return node.function.has_value(); })) {
-      add_step("10", "docs/fixed_point.md, theorem 10: value and error of a function");
+      add_step("10", "docs/fixed_point.md, theorem 10: from polynomials to a function's error");
     }
     if (lane_.format.is_block) {
       add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
@@ -503,8 +576,10 @@ private:
   }
 
   const FixedLane& lane_;
-  std::vector<FixedNode> nodes_;  ///< with errors that Gappa can read
-  std::vector<TypedNode> typed_;  ///< for their texts
+  std::vector<FixedNode> nodes_;               ///< with errors that Gappa can read
+  std::vector<Node> shown_;                    ///< for their texts
+  std::map<NodeId, FunctionNodes> functions_;  ///< by their results
+  std::set<NodeId> inside_;                    ///< nodes inside polynomials
   const Prove& prove_;
   bool results_fit_ = true;
   bool units_are_right_ = true;

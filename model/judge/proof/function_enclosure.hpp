@@ -1,0 +1,44 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "model/lane/fixed/fixed_lane.hpp"
+
+/// Functions of lanes in fixed point, derived again from the lane's nodes: from the words of its
+/// tables, without the search that made them.
+namespace mixcmp::proof {
+
+/// The nodes that compute one function. Those inside (tables, t, products and sums) stand for no
+/// number of the comparison.
+struct FunctionNodes {
+  NodeId result;
+  NodeId argument;
+  std::set<NodeId> inside;
+};
+
+/// The functions that a lane computes. None if a node inside a polynomial has an operation that
+/// polynomials do not have, or is read from outside.
+std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& lane);
+
+struct FunctionEnclosure {
+  Range value;  ///< encloses the computed number
+  Range error;  ///< encloses the computed number less the function of the real argument
+  int degree = 0;
+  mpz_class pieces;  ///< those that hold arguments
+};
+
+/// Encloses the result of a function by value and error of its argument. On every piece each node
+/// inside becomes a polynomial in t with rational coefficients, plus a range for its cuts. The
+/// function's series encloses the difference, as in theorem 10 of docs/fixed_point.md. None if a
+/// piece has no bound, or if tables and t divide the argument's bits differently.
+std::optional<FunctionEnclosure> enclose_function(const std::vector<fixed::FixedNode>& nodes,
+                                                  const FunctionNodes& function);
+
+/// The values of all words of a look-up.
+Range words_of(const fixed::FixedNode& look_up);
+
+}  // namespace mixcmp::proof
