@@ -72,12 +72,6 @@ public:
       : lane_(lane), nodes_(lane.nodes), prove_(prove) {
     proof_.lane = lane.format.name();
     proof_.kind = "fixed-point";
-    for (const FixedNode& node : lane.nodes) {
-      shown_.push_back(Node{.operation = node.operation,
-                            .operands = node.operands,
-                            .input = node.input,
-                            .value = node.format.unit() * node.constant});
-    }
     find_functions();
   }
 
@@ -110,14 +104,11 @@ private:
     if (!functions || !functions->empty()) {
       add_exact("only polynomials read what is inside of them", functions.has_value());
     }
-    if (!functions) return;
-    for (const FunctionNodes& each : *functions) {
+    for (const FunctionNodes& each : functions.value_or(std::vector<FunctionNodes>())) {
       functions_.emplace(each.result, each);
       inside_.insert(each.inside.begin(), each.inside.end());
-      shown_[each.result] = Node{.operation = Operation::function,
-                                 .operands = {each.argument, -1},
-                                 .function = nodes_[each.result].function};
     }
+    shown_ = expression_of(lane_, functions.value_or(std::vector<FunctionNodes>()));
   }
 
   /// The computed number, and its error. The real number that it stands for is their difference.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/base/number/dyadic.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/lane/fixed/node_enclosure.hpp"
 #include "model/lane/function/taylor.hpp"
 
@@ -201,6 +202,9 @@ public:
     }
   }
 
+  /// The pieces that hold arguments.
+  mpz_class count() const { return piece_of(code_of(greatest_)) - piece_of(code_of(least_)) + 1; }
+
   std::optional<FunctionEnclosure> enclose() {
     if (!are_alike()) return std::nullopt;
     const FixedNode& result = nodes_[function_.result];
@@ -221,7 +225,7 @@ public:
     return FunctionEnclosure{.value = multiples_in(value, result.format.unit()),
                              .error = sum(*error, *moved),
                              .degree = degree_,
-                             .pieces = last - first + 1};
+                             .pieces = count()};
   }
 
 private:
@@ -370,6 +374,48 @@ std::optional<FunctionEnclosure> enclose_function(const std::vector<FixedNode>& 
                                                   const FunctionNodes& function) {
   if (!nodes[function.result].function) return std::nullopt;
   return Pieces(nodes, function).enclose();
+}
+
+std::vector<Node> expression_of(const fixed::FixedLane& lane,
+                                const std::vector<FunctionNodes>& functions) {
+  std::vector<Node> nodes;
+  for (const FixedNode& node : lane.nodes) {
+    nodes.push_back(Node{.operation = node.operation,
+                         .operands = node.operands,
+                         .input = node.input,
+                         .value = node.format.unit() * node.constant});
+  }
+  for (const FunctionNodes& each : functions) {
+    nodes[each.result] = Node{.operation = Operation::function,
+                              .operands = {each.argument, -1},
+                              .function = lane.nodes[each.result].function};
+  }
+  return nodes;
+}
+
+std::vector<StatedFunction> stated_functions(const fixed::FixedLane& lane) {
+  constexpr std::size_t most_characters = 60;
+  const auto functions = functions_of(lane);
+  if (!functions) return {};
+  const std::vector<Node> nodes = expression_of(lane, *functions);
+  std::map<NodeId, StatedFunction> stated;
+  for (const FunctionNodes& each : *functions) {
+    const FixedNode& result = lane.nodes[each.result];
+    const auto moved = moved_by(*result.function, lane.nodes[each.argument]);
+    if (!moved) continue;
+    StatedFunction& found = stated[each.result];
+    found.text = to_text(nodes, lane.input_names, each.result, most_characters);
+    found.error = result.error;
+    found.own_error = {result.error.low - moved->low, result.error.high - moved->high};
+    found.degree =
+        static_cast<int>(std::count_if(each.inside.begin(), each.inside.end(), [&](NodeId id) {
+          return lane.nodes[id].operation == Operation::multiply;
+        }));
+    found.pieces = Pieces(lane.nodes, each).count();
+  }
+  std::vector<StatedFunction> in_order;
+  for (auto& [result, found] : stated) in_order.push_back(std::move(found));
+  return in_order;
 }
 
 Range words_of(const FixedNode& look_up) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "model/lane/fixed/fixed_lane.hpp"
@@ -37,6 +38,22 @@ struct FunctionEnclosure {
 /// piece has no bound, or if tables and t divide the argument's bits differently.
 std::optional<FunctionEnclosure> enclose_function(const std::vector<fixed::FixedNode>& nodes,
                                                   const FunctionNodes& function);
+
+/// What a lane states of a function.
+struct StatedFunction {
+  std::string text;  ///< as the scene has it: "log(u)"
+  Range error;       ///< the computed number less the function of the real argument
+  Range own_error;   ///< the computed number less the function of the computed argument
+  int degree = 0;
+  mpz_class pieces;  ///< those that hold arguments
+};
+
+/// The functions of a lane in the order of its nodes; none if functions_of finds none.
+std::vector<StatedFunction> stated_functions(const fixed::FixedLane& lane);
+
+/// The nodes as an expression has them, for messages. A function is one node.
+std::vector<Node> expression_of(const fixed::FixedLane& lane,
+                                const std::vector<FunctionNodes>& functions);
 
 /// The values of all words of a look-up.
 Range words_of(const fixed::FixedNode& look_up);
