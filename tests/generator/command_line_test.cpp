@@ -176,6 +176,33 @@ TEST_F(CommandLine, CheckTellsHowOperandsTravel) {
   EXPECT_EQ(refetched.output.find("operand_memory"), std::string::npos) << refetched.output;
 }
 
+TEST_F(CommandLine, CheckTellsTheErrorsOfFunctions) {
+  write("functions.toml",
+        "[comparison]\nname = \"functions\"\nf = \"a * exp(b)\"\ng = \"1\"\n"
+        "[inputs]\na = { range = [0, 1], format = \"binary32\" }\n"
+        "b = { range = [-1, 1], format = \"binary32\" }\n"
+        "[reference]\nformat = \"q24\"\n[reduced]\nformat = \"q12\"\n"
+        "[system]\nlanes = 1\nreferences = 1\n");
+  const Outcome json = mixcmp("check functions.toml --json");
+  EXPECT_EQ(json.exit_code, 0) << json.output;
+  const auto report = nlohmann::json::parse(json.output).at("generate");
+  double greatest = 1;
+  for (const char* const groups : {"lane_groups", "reference_groups"}) {
+    const auto& functions = report.at(groups).at(0).at("functions");
+    ASSERT_EQ(functions.size(), 1U) << functions;
+    EXPECT_EQ(functions[0].at("function"), "exp(b)");
+    const double low = functions[0].at("error")[0], high = functions[0].at("error")[1];
+    EXPECT_LT(low, functions[0].at("own_error")[0].get<double>());
+    EXPECT_GE(high, functions[0].at("own_error")[1].get<double>());
+    EXPECT_LT(high - low, greatest / 50);
+    EXPECT_GE(functions[0].at("pieces"), 2);
+    EXPECT_LE(functions[0].at("degree"), 4);
+    greatest = high - low;
+  }
+  const Outcome text = mixcmp("check functions.toml");
+  EXPECT_NE(text.output.find("  exp(b) errs by -"), std::string::npos) << text.output;
+}
+
 TEST_F(CommandLine, CheckHoldsVariantsAgainstTheComparison) {
   write_scene("alike.toml",
               "a * b\"\n[[variant]]\nname = \"turned\"\nf = \"-a * b\"\ng = \"-a * c");

@@ -1,8 +1,17 @@
 #include "tests/support/graphs.hpp"
 
 #include "model/comparison/expression/parser.hpp"
+#include "tests/support/function_values.hpp"
 
 namespace mixcmp::test {
+
+namespace {
+
+Result<Interpolation> measured_points(const std::string& /*file*/, int degree) {
+  return measured(degree).interpolation();
+}
+
+}  // namespace
 
 Graph graph_of(const std::string& f, const std::string& g) {
   return graph_of({{f, g}}, Combination::all);
@@ -13,8 +22,8 @@ Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
   Graph graph;
   std::vector<Sides> sides;
   for (const auto& [f, g] : parts) {
-    const NodeId left = parse_expression(graph, f, {}).value();
-    const NodeId right = parse_expression(graph, g, {}).value();
+    const NodeId left = parse_expression(graph, f, {}, nullptr, {}, measured_points).value();
+    const NodeId right = parse_expression(graph, g, {}, nullptr, {}, measured_points).value();
     sides.push_back({left, right});
   }
   graph.compare(std::move(sides), combination);

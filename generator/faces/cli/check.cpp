@@ -11,6 +11,7 @@
 #include "generator/faces/cli/prove.hpp"
 #include "generator/faces/cli/verbs.hpp"
 #include "generator/hardware/emit/system.hpp"
+#include "generator/present/report/function_report.hpp"
 #include "generator/present/report/json_text.hpp"
 #include "generator/present/report/summary_report.hpp"
 #include "model/plan/profile/variant_check.hpp"
@@ -21,7 +22,12 @@ namespace {
 /// The system that `generate` would write, or why it would refuse.
 struct Outlook {
   Result<emit::GeneratedSystem> system;
+  std::optional<design::Design> design = {};  ///< there is one if there is a system
 };
+
+const fixed::FixedLane* fixed_lane(const design::Lane& lane) {
+  return std::get_if<fixed::FixedLane>(&lane);
+}
 
 Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
   const auto design = design_of(options, loaded);
@@ -30,7 +36,7 @@ Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
   if (!system.ok()) return {system.error()};
   emit::GeneratedSystem generated = std::move(system).value();
   if (auto note = fit_note(loaded, *design)) generated.notes.push_back(std::move(*note));
-  return {std::move(generated)};
+  return {std::move(generated), *design};
 }
 
 /// The outermost module.
@@ -42,6 +48,14 @@ bool has_requests_of_operands(const emit::Signature& signature) {
   return signature.operands == scene::OperandStore::carried && signature.references > 0;
 }
 
+/// The functions of a lane or a reference, which a line above has named; null: not in fixed point.
+void print_functions(const fixed::FixedLane* lane) {
+  if (lane == nullptr) return;
+  for (const auto& [function, words] : report::function_lines(*lane)) {
+    print(fmt::format("  {:<18} {} {}\n", "", function, words));
+  }
+}
+
 void print_text(const Outlook& outlook) {
   const auto line = [](const char* name, const std::string& text) {
     print(fmt::format("  {:<18} {}\n", name, text));
@@ -51,18 +65,21 @@ void print_text(const Outlook& outlook) {
   const emit::Signature& signature = outlook.system->signature;
   line("top", top_of(signature));
   const bool one_kind = signature.lane_groups.size() == 1;
-  for (const emit::SignatureLanes& group : signature.lane_groups) {
+  for (std::size_t k = 0; k < signature.lane_groups.size(); ++k) {
+    const emit::SignatureLanes& group = signature.lane_groups[k];
     const std::string kind =
         one_kind ? ""
                  : fmt::format("{} in {}, inputs {}, multipliers {}: ", group.count, group.format,
                                to_string(group.inputs), to_string(group.multipliers));
     line(one_kind ? "lane" : "lanes", fmt::format("{}{} cycles", kind, group.latency_cycles));
     line("decision", group.decision);
+    print_functions(fixed_lane(outlook.design->lanes[k].lane));
   }
   if (const auto& tier = signature.second_tier) {
     line("second tier",
          fmt::format("{} x {}, {} cycles", tier->count, tier->format, tier->latency_cycles));
     line("decision", tier->decision);
+    print_functions(fixed_lane(outlook.design->second_tier->lane));
   }
   for (const emit::SignatureReferences& group : signature.reference_groups) {
     const std::string kind =
@@ -72,6 +89,7 @@ void print_text(const Outlook& outlook) {
     line(kind.empty() ? "reference" : "references",
          fmt::format("{}{} cycles", kind, group.latency_cycles));
   }
+  print_functions(outlook.design->requested_reference());
   if (has_requests_of_operands(signature)) {
     line("request_beats", fmt::format("{}", signature.request_beats));
   }
@@ -80,7 +98,19 @@ void print_text(const Outlook& outlook) {
 
 nlohmann::json to_json(const Outlook& outlook) {
   if (!outlook.system.ok()) return {{"error", report::to_json(outlook.system.error())}};
-  const auto signature = nlohmann::json::parse(emit::to_json(outlook.system->signature));
+  auto signature = nlohmann::json::parse(emit::to_json(outlook.system->signature));
+  const auto add_functions = [](nlohmann::json& group, const fixed::FixedLane* lane) {
+    if (lane != nullptr) group["functions"] = report::functions_json(*lane);
+  };
+  for (std::size_t k = 0; k < signature["lane_groups"].size(); ++k) {
+    add_functions(signature["lane_groups"][k], fixed_lane(outlook.design->lanes[k].lane));
+  }
+  if (const auto& tier = outlook.design->second_tier) {
+    add_functions(signature["second_tier"], fixed_lane(tier->lane));
+  }
+  for (auto& group : signature["reference_groups"]) {
+    add_functions(group, outlook.design->requested_reference());
+  }
   return {{"top", top_of(outlook.system->signature)},
           {"request_beats", signature["request_beats"]},
           {"lane_groups", signature["lane_groups"]},

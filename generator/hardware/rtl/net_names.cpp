@@ -71,7 +71,9 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
 
 /// exp_c2, exp_t or exp_of_x.
 std::string name_in_function(const fixed::FixedNode& node, const std::string& argument) {
-  const std::string function = to_string(*node.function);
+  // "table" is a keyword.
+  const bool is_table = node.function->kind() == Function::table;
+  const std::string function = is_table ? "points" : to_string(*node.function);
   const bool is_sign = node.function->kind() == Function::sign;
   if (node.operation == Operation::look_up && !is_sign) {
     return node.power < 0 ? function + "_start" : fmt::format("{}_c{}", function, node.power);

@@ -200,8 +200,13 @@ std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::
   return Printer(nodes, inputs, max_length).print(node);
 }
 
+std::string to_text(const std::vector<Node>& nodes, const std::vector<std::string>& inputs,
+                    NodeId node, std::size_t max_length) {
+  return Printer(nodes, inputs, max_length).print(node);
+}
+
 std::string to_text(const Graph& graph, NodeId node, std::size_t max_length) {
-  return Printer(graph.nodes(), graph.inputs(), max_length).print(node);
+  return to_text(graph.nodes(), graph.inputs(), node, max_length);
 }
 
 }  // namespace mixcmp::inline expression

@@ -17,6 +17,8 @@ std::string rounded_text(const mpq_class& value, int digits);
 /// `max_length` characters is cut and ends in "...".
 std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
                     NodeId node, std::size_t max_length);
+std::string to_text(const std::vector<Node>& nodes, const std::vector<std::string>& inputs,
+                    NodeId node, std::size_t max_length);
 std::string to_text(const Graph& graph, NodeId node, std::size_t max_length);
 
 }  // namespace mixcmp::inline expression

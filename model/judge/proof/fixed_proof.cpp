@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "model/base/number/dyadic.hpp"
 #include "model/comparison/expression/text.hpp"
 #include "model/judge/proof/fixed_degrees.hpp"
+#include "model/judge/proof/function_enclosure.hpp"
 #include "model/judge/proof/norm_conditions.hpp"
 #include "model/judge/proof/script.hpp"
 #include "model/lane/fixed/node_enclosure.hpp"
@@ -28,6 +30,10 @@ using fixed::FixedNode;
 constexpr int places = 128;
 
 constexpr std::size_t most_characters = 60;
+
+/// Intervals of the lane and of the proof are rounded differently. A function's error exceeds the
+/// lane's by at most so small a part of a unit.
+constexpr int places_of_function_errors = 16;
 
 mpq_class multiple_of(const mpq_class& grid, const mpz_class& count) {
   return grid * count;
@@ -56,20 +62,17 @@ bool is_polynomial(Operation operation) {
   }
 }
 
+bool is_inside(const Range& range, const Range& other) {
+  return other.low <= range.low && range.high <= other.high;
+}
+
 class FixedProof {
 public:
   FixedProof(const FixedLane& lane, const Prove& prove)
       : lane_(lane), nodes_(lane.nodes), prove_(prove) {
     proof_.lane = lane.format.name();
     proof_.kind = "fixed-point";
-    for (const FixedNode& node : lane.nodes) {
-      typed_.push_back(TypedNode{.operation = node.operation,
-                                 .operands = node.operands,
-                                 .operand_format = lane.input_format,
-                                 .format = lane.input_format,
-                                 .input = node.input,
-                                 .value = node.format.unit() * node.constant});
-    }
+    find_functions();
   }
 
   LaneProof run() && {
@@ -93,7 +96,19 @@ public:
 
 private:
   std::string text(NodeId id) const {
-    return to_text(typed_, lane_.input_names, id, most_characters);
+    return to_text(shown_, lane_.input_names, id, most_characters);
+  }
+
+  void find_functions() {
+    const auto functions = functions_of(lane_);
+    if (!functions || !functions->empty()) {
+      add_exact("only polynomials read what is inside of them", functions.has_value());
+    }
+    for (const FunctionNodes& each : functions.value_or(std::vector<FunctionNodes>())) {
+      functions_.emplace(each.result, each);
+      for (const NodeId id : each.inside) inside_.emplace(id, each.result);
+    }
+    shown_ = expression_of(lane_, functions.value_or(std::vector<FunctionNodes>()));
   }
 
   /// The computed number, and its error. The real number that it stands for is their difference.
@@ -177,6 +192,12 @@ private:
   /// Derives value and error from those of the operands.
   void prove_enclosure(NodeId id) {
     FixedNode& node = nodes_[id];
+    if (const auto function = functions_.find(id); function != functions_.end()) {
+      return prove_function(function->second);
+    }
+    if (const auto inside = inside_.find(id); inside != inside_.end()) {
+      return prove_inside(id, functions_.at(inside->second));
+    }
     if (node.operation == Operation::input) return assume_operand(node);
     if (node.operation == Operation::constant) {
       node.value.low = node.value.high = node.format.unit() * node.constant;
@@ -192,7 +213,7 @@ private:
       node.value = fixed::rounded_down(node.value, node.format.unit());
       return;
     }
-    if (node.operation == Operation::look_up) return;  // theorem 10
+    if (node.operation == Operation::look_up) return;  // of no known function
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
@@ -208,6 +229,53 @@ private:
     node.error = exact;
     drop_bits(node);
     if (is_polynomial(node.operation)) add_script(id, value, exact);
+  }
+
+  /// The number stands for itself.
+  void prove_inside(NodeId id, const FunctionNodes& function) {
+    const auto [found, is_new] = enclosures_.try_emplace(function.result);
+    if (is_new) found->second = enclose_function(nodes_, function);
+    FixedNode& node = nodes_[id];
+    node.error = {0, 0};
+    if (!found->second) return;
+    const Range enclosed = found->second->inside.at(id);
+    if (arity(node.operation) == 2) {
+      const FixedNode &a = nodes_[node.operands[0]], &b = nodes_[node.operands[1]];
+      node.value = fixed::exact_value(node.operation, a.value, b.value);
+      drop_bits(node);
+      node.error = {0, 0};
+      fixed::narrow(node.value, enclosed);
+    } else {
+      node.value = enclosed;
+    }
+  }
+
+  /// Theorem 10. The comparisons of a running bound's step have those of all comparisons.
+  void prove_function(const FunctionNodes& function) {
+    if (!where_.empty()) return;
+    FixedNode& node = nodes_[function.result];
+    const std::string name = text(function.result);
+    const auto [known, is_new] = enclosures_.try_emplace(function.result);
+    if (is_new) known->second = enclose_function(nodes_, function);
+    const std::optional<FunctionEnclosure>& found = known->second;
+    if (!found) {
+      proof_.findings.push_back({"value and error of " + name, Outcome::not_proven,
+                                 "the function's nodes have no bound"});
+      node.error = rounded_outward(node.error, node.format);
+      return;
+    }
+    const Range stated = node.error;
+    const mpq_class more = scaled(node.format.unit(), -places_of_function_errors);
+    const bool holds = is_inside(found->value, node.value) &&
+                       is_inside(found->error, {stated.low - more, stated.high + more});
+    const std::string other =
+        fmt::format("; the lane says {} to {}", shown(stated.low), shown(stated.high));
+    proof_.findings.push_back({fmt::format("value and error of {}: {} to {}", name,
+                                           shown(found->error.low), shown(found->error.high)),
+                               holds ? Outcome::proven : Outcome::not_proven,
+                               found->reason + (holds ? "" : other)});
+    node.value = found->value;
+    node.error = rounded_outward(found->error, node.format);
   }
 
   /// Theorem 2 on dropped bits, by hand.
@@ -255,7 +323,7 @@ private:
         return;
       case fixed::Conversion::floating:
       case fixed::Conversion::place:
-      case fixed::Conversion::function_value: return;  // theorem 10
+      case fixed::Conversion::function_value: return;  // of no known function
     }
     MIXCMP_CHECK(false);
   }
@@ -472,10 +540,10 @@ private:
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
     }
     if (any([](const FixedNode& node) { return node.function && !has_jumps(*node.function); })) {
-      add_step("10", "docs/fixed_point.md, theorem 10: value and error of a function");
+      add_step("10", "docs/fixed_point.md, theorem 10: from polynomials to a function's error");
     }
     if (any([](const FixedNode& node) { return node.function && has_jumps(*node.function); })) {
-      add_step("11", "docs/fixed_point.md, theorem 11: value and error of sign and mod");
+      add_step("11", "docs/fixed_point.md, theorem 11: from exact quotients and signs to errors");
     }
     if (lane_.format.is_block) {
       add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
@@ -506,8 +574,11 @@ private:
   }
 
   const FixedLane& lane_;
-  std::vector<FixedNode> nodes_;  ///< with errors that Gappa can read
-  std::vector<TypedNode> typed_;  ///< for their texts
+  std::vector<FixedNode> nodes_;               ///< with errors that Gappa can read
+  std::vector<Node> shown_;                    ///< for their texts
+  std::map<NodeId, FunctionNodes> functions_;  ///< by their results
+  std::map<NodeId, NodeId> inside_;            ///< the results of the functions that nodes are in
+  std::map<NodeId, std::optional<FunctionEnclosure>> enclosures_;  ///< by their results
   const Prove& prove_;
   bool results_fit_ = true;
   bool units_are_right_ = true;

@@ -18,6 +18,13 @@ constexpr int spare_function_bits = 8;
 /// A limit costs a comparator. It is worth that if errors become so many times smaller.
 constexpr int worth_a_limit = 2;
 
+/// How near to an end without a value an argument is looked at, from so far on the other side. An
+/// error e moves the logarithm and the quotient of like numbers by some e / d at distance d. Nearer
+/// arguments, a share of d / span, are left undecided: this d makes both equal.
+mpq_class balanced_distance(const Range& error, const mpq_class& span) {
+  return root_of(absolute(error).high * span, root_digits);
+}
+
 /// The real numbers that the computed ones of a range may stand for.
 Range stood_for(const Range& computed, const Range& error) {
   return difference(computed, error);
@@ -138,13 +145,21 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id, const Function& functio
   const mpq_class unit = argument.format.unit();
   mpz_class least = floor_of((real.low + argument.error.low) / unit);
   const Domain accepted = domain(function);
-  if (accepted.low && (accepted.is_open || !accepted.contains(real.low))) {
+  // A lane leaves what may have no value undecided; a reference trusts the ranges.
+  const Range reached = options_.is_reference ? real : stood_for(argument.value, argument.error);
+  if (accepted.low && (accepted.is_open || reached.low < *accepted.low)) {
     const mpq_class end = (*accepted.low + argument.error.high) / unit;
     const mpz_class first = accepted.is_open ? floor_of(end) + 1 : ceiling_of(end);
     least = std::max(least, first);
   }
+  if (accepted.is_open && real.low <= *accepted.low && !options_.is_reference) {
+    least = std::max(
+        least,
+        floor_of((*accepted.low + balanced_distance(argument.error, real.high - *accepted.low)) /
+                 unit));
+  }
   mpz_class greatest = ceiling_of((real.high + argument.error.high) / unit);
-  if (accepted.high && real.high > *accepted.high) {
+  if (accepted.high && reached.high > *accepted.high) {
     greatest = std::min(greatest, floor_of((*accepted.high + argument.error.low) / unit));
   }
   Range limits = {std::max<mpq_class>(argument.value.low, least * unit),
@@ -159,7 +174,9 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id, const Function& functio
                          "argument");
   }
   const auto unlimited = moved_by(function, argument.value, argument.error);
-  if (unlimited && absolute(*unlimited).high <= worth_a_limit * absolute(*limited).high) {
+  const bool has_all_values = accepted.contains(reached.low) && accepted.contains(reached.high);
+  if (has_all_values && unlimited &&
+      absolute(*unlimited).high <= worth_a_limit * absolute(*limited).high) {
     return whole;
   }
   FixedNode node = conversion(Conversion::limit, whole);
@@ -249,14 +266,17 @@ FixedGraphBuilder::Place FixedGraphBuilder::place_after_start(const Function& fu
   for (std::size_t k = 1; k < starts.size(); ++k) {
     const NodeId start =
         exact_constant(starts[k], unit_exponent, scaled(mpq_class(starts[k]), unit_exponent));
-    const NodeId beyond = add(itself(exactly(Operation::subtract, argument, start)));
+    FixedNode beyond = itself(exactly(Operation::subtract, argument, start));
+    beyond.function = function;
     const function::Words one_or_none(std::vector<mpz_class>{1, 0});
-    reached.push_back(add(word_of(Function::sign, beyond, one_or_none, 0)));
+    reached.push_back(add(word_of(Function::sign, add(std::move(beyond)), one_or_none, 0)));
   }
   while (reached.size() > 1) {
     std::vector<NodeId> sums;
     for (std::size_t k = 0; k + 1 < reached.size(); k += 2) {
-      sums.push_back(add(exactly(Operation::add, reached[k], reached[k + 1])));
+      FixedNode sum = exactly(Operation::add, reached[k], reached[k + 1]);
+      sum.function = function;
+      sums.push_back(add(std::move(sum)));
     }
     if (reached.size() % 2 != 0) sums.push_back(reached.back());
     reached = std::move(sums);
@@ -341,22 +361,28 @@ Result<FixedNode> FixedGraphBuilder::quotient_by_variable(NodeId id) {
   const int further =
       most > largest && largest > 0 ? static_cast<int>(floor_log2(most) - floor_log2(largest)) : 0;
   MIXCMP_TRY(reciprocal, applied(id, Function::power_of(-1), argument, real, further));
-  FixedNode quotient = product(first, add(std::move(reciprocal)));
-  if (further > 0) {
-    narrow(quotient.value,
-           rounded_down(mixcmp::sum(*values, quotient.error), quotient.format.unit()));
-    quotient.format = format_of(quotient.value, quotient.format.unit_exponent);
-    quotient.function = Function::power_of(-1);
-  }
-  return is_negative ? operation(Operation::negate, add(std::move(quotient))) : quotient;
+  NodeId quotient = add(product(first, add(std::move(reciprocal))));
+  if (is_negative) quotient = add(operation(Operation::negate, quotient));
+  return further > 0 ? limited_to(quotient, *values) : nodes_[quotient];
+}
+
+/// A node limited to what it computes for real values of a range: no comparison is beyond.
+FixedNode FixedGraphBuilder::limited_to(NodeId id, const Range& values) const {
+  const FixedNode& whole = nodes_[id];
+  const mpq_class unit = whole.format.unit();
+  FixedNode node = conversion(Conversion::limit, id);
+  narrow(node.value, {floor_of((values.low + whole.error.low) / unit) * unit,
+                      ceiling_of((values.high + whole.error.high) / unit) * unit});
+  node.format = format_of(node.value, whole.format.unit_exponent);
+  return node;
 }
 
 /// A function of a node whose real values are in a range. `id` is the node of the expression that
 /// errors name; the value has `further` digits more than others.
 Result<FixedNode> FixedGraphBuilder::applied(NodeId id, const Function& function, NodeId whole,
                                              const Range& real, int further) {
-  if (function.kind() == Function::sign) return sign(id, whole, real);
-  if (function.kind() == Function::remainder) return remainder(id, function, whole, real);
+  if (function.kind() == Function::sign) return sign(id, whole);
+  if (function.kind() == Function::remainder) return remainder(id, function, whole);
   MIXCMP_TRY(argument, argument_of(id, function, whole, real));
   const FixedNode computed = nodes_[argument];
   const mpq_class unit = computed.format.unit();

@@ -71,14 +71,14 @@ private:
   Result<FixedNode> applied(NodeId id, const Function& function, NodeId whole, const Range& real,
                             int further);
   bool is_normalised_difference(NodeId id);
+  FixedNode limited_to(NodeId id, const Range& values) const;
   /// A number that stands for `meant`.
   NodeId exact_constant(const mpz_class& number, int unit_exponent, const mpq_class& meant);
-  Result<FixedNode> sign(NodeId id, NodeId argument, const Range& real);
-  Result<FixedNode> remainder(NodeId id, const Function& function, NodeId argument,
-                              const Range& real);
+  Result<FixedNode> sign(NodeId id, NodeId argument);
+  Result<FixedNode> remainder(NodeId id, const Function& function, NodeId argument);
   Result<NodeId> whole_quotient(NodeId id, const Function& function, NodeId argument,
                                 const Range& count);
-  Result<FixedNode> away_from_jumps(NodeId id, FixedNode result, const mpq_class& divisor,
+  Result<FixedNode> away_from_jumps(NodeId id, FixedNode result, const Function& function,
                                     const Range& error, const Range& off);
   Result<NodeId> argument_of(NodeId id, const Function& function, NodeId whole, const Range& real);
   NodeId coefficient(const Function& function, const function::Piecewise& piecewise, int power,

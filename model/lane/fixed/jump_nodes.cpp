@@ -73,13 +73,15 @@ NodeId FixedGraphBuilder::exact_constant(const mpz_class& number, int unit_expon
 
 /// A computed number has the sign of the real one if it was only rounded down, to a multiple of its
 /// unit: it is below 0 if and only if the real one is.
-Result<FixedNode> FixedGraphBuilder::sign(NodeId id, NodeId argument, const Range& real) {
+Result<FixedNode> FixedGraphBuilder::sign(NodeId id, NodeId argument) {
   const FixedNode& computed = nodes_[argument];
+  const Range real = mixcmp::difference(computed.value, computed.error);
   if (real.low >= 0) return nodes_[exact_constant(1, 0, 1)];
   if (real.high < 0) return nodes_[exact_constant(-1, 0, -1)];
   if (computed.error.high > 0 || computed.error.low <= -computed.format.unit()) {
     return refused(id, "the sign of a rounded number is not known near 0",
-                   "the sign of an input or of an exact number, or ranges that leave it one sign");
+                   "the sign of an exact number: inputs that are integers or in fixed point, "
+                   "without more bits than W");
   }
   return word_of(Function::sign, argument, function::Words(std::vector<mpz_class>{1, -1}), 0);
 }
@@ -109,6 +111,7 @@ Result<NodeId> FixedGraphBuilder::whole_quotient(NodeId id, const Function& func
   FixedNode whole =
       exactly(Operation::multiply, argument, constant(reciprocal->number, unit_exponent));
   if (reciprocal->offset != 0) {
+    whole.function = function;
     const NodeId multiple = add(itself(std::move(whole)));
     whole = exactly(Operation::add, multiple, constant(reciprocal->offset, -reciprocal->shift));
   }
@@ -121,8 +124,8 @@ Result<NodeId> FixedGraphBuilder::whole_quotient(NodeId id, const Function& func
 }
 
 /// X - k M, where M is y rounded.
-Result<FixedNode> FixedGraphBuilder::remainder(NodeId id, const Function& function, NodeId argument,
-                                               const Range& real) {
+Result<FixedNode> FixedGraphBuilder::remainder(NodeId id, const Function& function,
+                                               NodeId argument) {
   const FixedNode computed = nodes_[argument];
   const mpq_class& divisor = function.parameter();
   const auto error = known_error(computed);
@@ -130,6 +133,7 @@ Result<FixedNode> FixedGraphBuilder::remainder(NodeId id, const Function& functi
     return {floor_of(range.low / divisor), floor_of(range.high / divisor)};
   };
   // Where no real argument jumps, one multiple is subtracted.
+  const Range real = mixcmp::difference(computed.value, computed.error);
   const bool jumps = quotients(real).low != quotients(real).high;
   const mpq_class moved = error.value_or(0);
   const Range count = quotients(jumps ? mixcmp::difference(computed.value, {moved, moved}) : real);
@@ -150,18 +154,24 @@ Result<FixedNode> FixedGraphBuilder::remainder(NodeId id, const Function& functi
   const Range off = mixcmp::product(count, nodes_[period].error);  // k M - k y
   if (jumps) {
     narrow(result.value, mixcmp::difference({moved, divisor + moved}, off));
+    const mpq_class unit = result.format.unit();
+    result.value = {ceiling_of(result.value.low / unit) * unit,
+                    floor_of(result.value.high / unit) * unit};
     result.format = format_of(result.value, result.format.unit_exponent);
   }
+  if (jumps && !error) {
+    return away_from_jumps(id, std::move(result), function, computed.error, off);
+  }
   result.function = function;
-  if (!jumps || error) return result;
-  return away_from_jumps(id, std::move(result), divisor, computed.error, off);
+  return result;
 }
 
 /// The result of mod(x, y), limited to where the real argument has the quotient k as well: the
 /// result is away from both ends by the argument's error.
 Result<FixedNode> FixedGraphBuilder::away_from_jumps(NodeId id, FixedNode result,
-                                                     const mpq_class& divisor, const Range& error,
+                                                     const Function& function, const Range& error,
                                                      const Range& off) {
+  const mpq_class& divisor = function.parameter();
   if (options_.is_reference) {
     return refused(id, "a rounded argument near a multiple of the divisor may be on either side",
                    "an exact argument: more bits, or inputs that are integers or in fixed point");
@@ -172,8 +182,11 @@ Result<FixedNode> FixedGraphBuilder::away_from_jumps(NodeId id, FixedNode result
   if (limits.low > limits.high) {
     return refused(id, "the argument's error is as large as the divisor", "more bits");
   }
-  FixedNode limited = conversion(Conversion::limit, add(std::move(result)));
+  const Range with_argument = result.error;
+  FixedNode limited = conversion(Conversion::limit, add(itself(std::move(result))));
   limited.value = limits;
+  limited.error = with_argument;
+  limited.function = function;
   limited.format = format_of(limits, limited.format.unit_exponent);
   return limited;
 }

@@ -74,6 +74,30 @@ TEST_F(ProveCommand, ALaneInFixedPointIsProvenInItsOwnPrecisions) {
   EXPECT_EQ(mixcmp(arguments + " --precisions 50").exit_code, 1);
 }
 
+class ProvenFunctions : public ProveCommand, public testing::WithParamInterface<const char*> {};
+
+/// Each function is proven as a whole, by the words of its tables.
+TEST_P(ProvenFunctions, AreProvenInEveryPrecision) {
+  if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  const Outcome run = mixcmp(fmt::format(
+      "check '{}/functions/{}.toml' --prove --precisions 8,13,17,24 --json", examples, GetParam()));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto proof = nlohmann::json::parse(run.output).at("proof");
+  ASSERT_EQ(proof.size(), 4U);
+  for (const auto& lane : proof) {
+    EXPECT_TRUE(lane.at("machine_checked")) << lane.dump(2);
+    int functions = 0;
+    for (const auto& finding : lane.at("findings")) {
+      const std::string what = finding.at("what");
+      EXPECT_EQ(what.find("look_up"), std::string::npos) << what;
+      if (finding.at("detail").get<std::string>().starts_with("by theorem 10")) ++functions;
+    }
+    EXPECT_GE(functions, 1) << lane.dump(2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, ProvenFunctions, testing::Values("metropolis", "trigger"));
+
 TEST_F(ProveCommand, AGappaThatIsKilledIsNoMissingTool) {
   const Outcome run =
       mixcmp("check " + scene("sphere_collision") + " --prove",

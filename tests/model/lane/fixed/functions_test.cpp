@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/judge/proof/function_enclosure.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/function_comparisons.hpp"
@@ -21,7 +24,6 @@
 namespace mixcmp::test::functions_test {
 namespace {
 
-using fixed::Conversion;
 using fixed::FixedLane;
 using fixed::FixedNode;
 using Random = std::mt19937_64;
@@ -45,13 +47,17 @@ bool is_point(const Range& range) {
 }
 
 /// Computes the numbers that the nodes of a lane stand for from the real operands. Nodes inside a
-/// piecewise polynomial stand for themselves.
+/// function stand for themselves.
 class Truths {
 public:
   Truths(const FixedLane& lane, const std::vector<double>& operands, const Values& values)
       : lane_(lane), operands_(operands), values_(values) {
+    const auto functions = proof::functions_of(lane);
+    for (const proof::FunctionNodes& each : *functions) {
+      arguments_[each.result] = each.argument;
+      inside_.insert(each.inside.begin(), each.inside.end());
+    }
     for (std::size_t id = 0; id < lane_.nodes.size(); ++id) {
-      inside_.push_back(is_inside(lane_.nodes[id]));
       truths_.push_back(truth_of(static_cast<NodeId>(id)));
     }
   }
@@ -59,50 +65,22 @@ public:
   const Truth& operator[](std::size_t id) const { return truths_[id]; }
 
 private:
-  static bool has_no_error(const FixedNode& node) { return node.error == Range{0, 0}; }
-
-  bool is_inside(const FixedNode& node) const {
-    if (node.operation == Operation::look_up) return has_no_error(node);
-    if (node.conversion == Conversion::place || is_floating_code(node)) return true;
-    if (node.conversion == Conversion::function_value) return false;
-    bool any = false;
-    for (int k = 0; k < arity(node.operation); ++k) any = any || inside_[node.operands[k]];
-    return any;
-  }
-
-  /// The argument of the polynomial that this node is part of.
-  NodeId argument_below(NodeId id) const {
-    const FixedNode& node = lane_.nodes[id];
-    if (is_floating_code(node)) return node.operands[0];
-    if (node.operation == Operation::look_up || node.conversion == Conversion::place) {
-      const NodeId read = node.operands[0];
-      return is_floating_code(lane_.nodes[read]) ? argument_below(read) : read;
-    }
-    for (int k = 0; k < arity(node.operation); ++k) {
-      if (inside_[node.operands[k]]) return argument_below(node.operands[k]);
-    }
-    ADD_FAILURE() << "node " << id << " has no argument";
-    return 0;
-  }
-
   Truth function_of(const FixedNode& node, NodeId argument) const {
     const Truth& x = truths_[argument];
-    if (!x || !domain(*node.function).contains(x->low)) return std::nullopt;
+    const Domain accepted = domain(*node.function);
+    if (!x || !accepted.contains(x->low) || !accepted.contains(x->high)) return std::nullopt;
     return value_near(*node.function, *x);
   }
 
   Truth truth_of(NodeId id) const {
     const FixedNode& node = lane_.nodes[id];
     if (!values_[id]) return std::nullopt;
-    if (inside_[id]) {
+    if (inside_.contains(id)) {
       const mpq_class itself = *values_[id] * node.format.unit();
       return Range{itself, itself};
     }
-    if (node.operation == Operation::look_up) return function_of(node, argument_below(id));
-    if (node.conversion == Conversion::function_value) {
-      return function_of(node, argument_below(node.operands[0]));
-    }
-    return ordinary(node);
+    const auto argument = arguments_.find(id);
+    return argument == arguments_.end() ? ordinary(node) : function_of(node, argument->second);
   }
 
   Truth ordinary(const FixedNode& node) const {
@@ -136,7 +114,8 @@ private:
   const FixedLane& lane_;
   const std::vector<double>& operands_;
   const Values& values_;
-  std::vector<bool> inside_;
+  std::map<NodeId, NodeId> arguments_;  ///< of functions, by their results
+  std::set<NodeId> inside_;
   std::vector<Truth> truths_;
 };
 
