@@ -62,6 +62,20 @@ bool reaches_reference(const design::Design& design, std::span<const Bits> opera
   return !design.second_tier || !decide(design.second_tier->lane, operands).decided;
 }
 
+bool computes_numbers(const design::Design& design, std::span<const Bits> operands) {
+  if (const fixed::FixedLane* rounding = design.requested_reference()) {
+    return golden::evaluate_lane(*rounding, operands).verdict != Verdict::unordered;
+  }
+  const FloatFormat arriving = design.reference.input_format;
+  const std::vector<golden::Rounded> values = golden::evaluate(design.reference, operands);
+  bool all_finite = std::all_of(operands.begin(), operands.end(),
+                                [&](Bits operand) { return arriving.is_finite(operand); });
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    all_finite = all_finite && design.reference.nodes[k].format.is_finite(values[k].bits);
+  }
+  return all_finite;
+}
+
 std::string describe(ResultWord word) {
   if (!word.is_possible()) return fmt::format("the impossible tdata 0x{:02x}", word.bits());
   if (word.is_undecided()) return "undecided";
@@ -123,10 +137,13 @@ void check_against_truth(const TruthCheck& check, const design::Design& design,
     return;
   }
   const bool has_order = *verdict != Verdict::unordered;
-  // If f or g has no real value, no answer is true: a reference is not counted as wrong.
   if (recomputed && !has_order) {
-    ++truth.undefined;
-    return;
+    // Infinities and NaN are a reference's way to say that there is no value.
+    if (word.verdict() == Verdict::unordered || !computes_numbers(design, operands)) {
+      ++truth.undefined;
+      return;
+    }
+    ++truth.ordered_without_value;
   }
   ++truth.checked;
   if (has_order && !design.references.empty()) {

@@ -25,6 +25,9 @@ Verdict reference_verdict(const design::Design& design, std::span<const Bits> op
 /// decides them.
 bool reaches_reference(const design::Design& design, std::span<const Bits> operands);
 
+/// Whether a reference computes f and g without an infinity or a NaN, by the golden model.
+bool computes_numbers(const design::Design& design, std::span<const Bits> operands);
+
 /// "less, decided by the lane"
 std::string describe(ResultWord word);
 std::string to_text(harness::wire::Fault fault);

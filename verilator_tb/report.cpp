@@ -73,6 +73,7 @@ void TruthCount::add(const TruthCount& other) {
   checked += other.checked;
   wrong_by_lane += other.wrong_by_lane;
   wrong_by_reference += other.wrong_by_reference;
+  ordered_without_value += other.ordered_without_value;
   reference_alone_checked += other.reference_alone_checked;
   reference_alone_wrong += other.reference_alone_wrong;
   undefined += other.undefined;

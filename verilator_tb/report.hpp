@@ -75,14 +75,17 @@ struct TruthCount {
   std::uint64_t checked = 0;
   std::uint64_t wrong_by_lane = 0;
   std::uint64_t wrong_by_reference = 0;
+  /// Of those: a reference ordered f and g as numbers, but f or g has no value. It has rounded what
+  /// would be the root or the logarithm of a negative number.
+  std::uint64_t ordered_without_value = 0;
   /// Verdicts of the golden reference on checked comparisons, whether or not it decided them in
   /// hardware. Comparisons without a true order are left out; none are counted in a system without
   /// references.
   std::uint64_t reference_alone_checked = 0;
   std::uint64_t reference_alone_wrong = 0;
-  /// Not checked: a reference answered, but f or g has no value (an infinite or NaN operand, a
-  /// division by zero, the root of a negative number). If a lane decides such a comparison, it is
-  /// wrong.
+  /// Not checked: a reference answered "unordered", or by infinities and NaN, and f or g has no
+  /// value (an infinite or NaN operand, a division by zero, the root of a negative number). If a
+  /// lane decides such a comparison, it is wrong.
   std::uint64_t undefined = 0;
   std::uint64_t undetermined = 0;     ///< not checked: golden::true_verdict has no answer
   std::uint64_t undecided = 0;        ///< not checked: no lane decided and there is no reference

@@ -243,7 +243,16 @@ Lines not_checked(const TruthCount& truth) {
   return {{"not checked", std::to_string(truth.not_checked()) + text}};
 }
 
+/// A line where there is such a verdict.
+Lines ordered_without_value(const TruthCount& truth) {
+  if (truth.ordered_without_value == 0) return {};
+  return {{"", fmt::format("{} of them by a reference that ordered f and g without a value",
+                           truth.ordered_without_value)}};
+}
+
 Fields<TruthCount> truth_fields(bool has_references) {
+  Field<TruthCount> without_value({"ordered_without_value"}, &TruthCount::ordered_without_value);
+  without_value.lines = ordered_without_value;
   const Fields<TruthCount> total = {{{"total"}, &TruthCount::not_checked}};
   Field<TruthCount> unchecked =
       record<TruthCount>({"not_checked"}, itself, total + unchecked_fields());
@@ -254,6 +263,7 @@ Fields<TruthCount> truth_fields(bool has_references) {
        "{checked} checked, {wrong_by_lane} wrong by a lane, {wrong_by_reference} by a reference"},
       {{"wrong_by_lane"}, &TruthCount::wrong_by_lane},
       {{"wrong_by_reference"}, &TruthCount::wrong_by_reference},
+      without_value,
       {{"reference_alone_checked"}, &TruthCount::reference_alone_checked},
       {{"reference_alone_wrong"}, &TruthCount::reference_alone_wrong},
       unchecked,

@@ -170,6 +170,51 @@ TEST_F(NewCommand, WholeNumbersInTextLeaveTheChoice) {
   EXPECT_EQ(read("halves.toml").find("are whole"), std::string::npos);
 }
 
+/// Only fixed point has functions. The reference's bits follow from the ranges, and every verb
+/// takes the scene as it is.
+TEST_F(NewCommand, FunctionsMakeReferencesInFixedPoint) {
+  write("moves.csv", "u,d,beta\n0.5,1,1\n0.25,2.5,0.5\n0.75,0.3,1\n0.1,8,0.125\n0.3,1.2,1\n");
+  const Outcome run =
+      mixcmp("new annealing --f u --g 'exp(-d * beta)' --data moves.csv --device ecp5-85k");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const std::string text = read("annealing.toml");
+  EXPECT_NE(text.find("d = { format = \"s24e8\", range = \"data\" }"), std::string::npos) << text;
+  EXPECT_NE(text.find("[reference]\nformat = \"q"), std::string::npos) << text;
+  EXPECT_NE(text.find("verify annealing_plan.toml"), std::string::npos) << text;
+  checked("annealing.toml");
+  const Outcome plan =
+      mixcmp("optimise annealing.toml --predict-only --first 11 --last 11 -o annealing_plan.toml");
+  ASSERT_EQ(plan.exit_code, 0) << plan.output;
+  const Outcome profile = mixcmp("profile annealing.toml --first 11 --last 12");
+  EXPECT_EQ(profile.exit_code, 0) << profile.output;
+  const Outcome generated = mixcmp("generate annealing_plan.toml -o rtl --no-prove");
+  EXPECT_EQ(generated.exit_code, 0) << generated.output;
+}
+
+/// Without data each input has some range, from which operands are drawn.
+TEST_F(NewCommand, FunctionsHaveRangesWithoutData) {
+  const std::vector<std::pair<std::string, std::string>> comparisons = {
+      {"log(w1 * t1) - ((x - m1) * t1)^2 / 2", "log(w2 * t2) - ((x - m2) * t2)^2 / 2"},
+      {"cosh(a - b) - cos(c - d)", "m"}};
+  for (const auto& [f, g] : comparisons) {
+    fs::remove(directory_.path() / "drawn.toml");
+    const Outcome run = mixcmp("new drawn --f '" + f + "' --g '" + g + "'");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const std::string text = read("drawn.toml");
+    EXPECT_NE(text.find("range = [0.0625, 1] }"), std::string::npos) << text;
+    EXPECT_EQ(checked("drawn.toml").at("data").at("comparisons"), 8192);
+  }
+}
+
+TEST_F(NewCommand, TheUsersBitsAreTheReferences) {
+  const Outcome run = mixcmp("new mine --f 'exp(x)' --g y --reference q33");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(read("mine.toml").find("format = \"q33\""), std::string::npos);
+  const Outcome refused = mixcmp("new other --f 'exp(x)' --g y --reference s53e11");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.output.find("has no exp"), std::string::npos) << refused.output;
+}
+
 TEST_F(NewCommand, ASecondFileAndColumnsOfOtherNamesAreTakenOver) {
   fs::create_directories(path("scenes"));
   const Outcome run = mixcmp(

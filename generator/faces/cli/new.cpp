@@ -244,7 +244,7 @@ nlohmann::ordered_json to_json(const NewScene& scene, const LoadedScene& loaded)
     json["pairs"] = to_string(scene.pairing);
     json["comparisons"] = loaded.data->size();
   }
-  for (const auto& [command, purpose] : next_commands(scene, scene.path))
+  for (const auto& [command, purpose] : next_commands(loaded, scene.path))
     json["next"].push_back(command);
   return json;
 }
@@ -259,7 +259,7 @@ std::string to_text(const NewScene& scene, const LoadedScene& loaded) {
     text += fmt::format("  {} comparisons, pairs = {}\n", loaded.data->size(),
                         to_string(scene.pairing));
   }
-  return text + "next:\n" + next_text(scene, scene.path, "  ");
+  return text + "next:\n" + next_text(loaded, scene.path, "  ");
 }
 
 void run(NewCommand& command) {
@@ -306,7 +306,8 @@ void add_options(const Verb& verb, NewCommand& command) {
   verb.option(
       "--reference", scene.reference,
       "format of the operands and of what decides close comparisons (default: as the data suggest: "
-      "exact for integers and s24e8 for single precision in .npy, otherwise s53e8)");
+      "exact for integers and s24e8 for single precision in .npy, qW such as q32 beside functions, "
+      "otherwise s53e8)");
   verb.option("--device", scene.device,
               "the device to fill (default: " + scene::SystemSpec().device + ")");
   verb.option("-o,--output", command.output, "the file, which must not exist (default: NAME.toml)");

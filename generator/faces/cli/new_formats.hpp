@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/faces/cli/options.hpp"
+#include "model/comparison/expression/range.hpp"
 
 /// The formats of a scene that `mixcmp new` writes, as its data suggest.
 namespace mixcmp::cli {
@@ -15,6 +16,9 @@ struct NewFormats {
   std::string reference;
   std::map<std::string, std::string> operands =
       {};  ///< by input or pattern; others: the reference's
+  /// Of all inputs in floating point, if references are in fixed point. The range of the data
+  /// takes its place where there are some; else operands are drawn from it.
+  std::optional<Range> range = {};
 };
 
 /// The range of an input's finite numbers in the data.

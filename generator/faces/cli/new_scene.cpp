@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "generator/faces/cli/new_formats.hpp"
+#include "generator/faces/cli/new_functions.hpp"
 #include "model/base/settings/settings.hpp"
+#include "model/comparison/expression/parser.hpp"
 #include "model/cost/devices/device.hpp"
 #include "model/judge/workload/load_comparisons.hpp"
 #include "model/scene/plan.hpp"
@@ -19,6 +21,9 @@ namespace {
 
 using settings::Setting;
 using settings::toml_string;
+
+/// Some reference in fixed point, until the ranges are known.
+constexpr const char* first_fixed_reference = "q24";
 
 /// A column as `columns` takes it: its number where it is one, else its name.
 Setting column_key(const std::string& text) {
@@ -60,6 +65,13 @@ void put(Setting::Table& root, const std::string& section, const std::string& ke
   table.entries.push_back({.key = key, .value = table_of(columns)});
 }
 
+Setting range_of(const Range& range) {
+  Setting::Array ends(2);
+  ends[0].value = range.low.get_d();
+  ends[1].value = range.high.get_d();
+  return {.key = "range", .value = std::move(ends)};
+}
+
 settings::Settings settings_of(const NewScene& scene, const NewFormats& formats) {
   settings::Settings all{.path = scene.path, .root = {}};
   put(all.root, "comparison", "name", scene.name);
@@ -68,9 +80,18 @@ settings::Settings settings_of(const NewScene& scene, const NewFormats& formats)
   put(all.root, "reference", "format", formats.reference);
   for (const auto& [input, format] : formats.operands) {
     put(all.root, "inputs", input, {{"format", format}});
+    if (!formats.range || OperandFormat::parse(format)->floating() == nullptr) continue;
+    auto& inputs = std::get<Setting::Table>(settings::find_or_add(all.root, "inputs").value);
+    std::get<Setting::Table>(settings::find_or_add(inputs, input).value)
+        .entries.push_back(scene.file.empty()
+                               ? range_of(*formats.range)
+                               : Setting{.key = "range", .value = std::string("data")});
   }
   put(all.root, "system", "device", scene.device);
-  if (scene.file.empty()) return all;
+  if (scene.file.empty()) {
+    if (formats.range) put(all.root, "data", "items", std::string("uniform"));
+    return all;
+  }
   put(all.root, "data", "file", scene.file);
   if (scene.pairing != data::Pairing::rows) {
     put(all.root, "data", "pairs", std::string(to_string(scene.pairing)));
@@ -122,8 +143,36 @@ Result<LoadedScene> with_integers(const NewScene& scene, const LoadedScene& load
   return reason;
 }
 
+/// Whether references are to be in fixed point: the user says so, or leaves it open and has a
+/// function.
+bool wants_fixed_references(const NewScene& scene) {
+  if (FixedPoint::parse(scene.reference)) return true;
+  if (!scene.reference.empty()) return false;
+  Graph graph;
+  for (const std::string& side : {scene.f, scene.g}) {
+    if (!parse_expression(graph, side, {}).ok()) return false;
+  }
+  return graph.first_function().has_value();
+}
+
+/// The scene with references in fixed point, whose bits follow from the ranges of the data unless
+/// the user has chosen them.
+Result<LoadedScene> with_fixed_references(const NewScene& scene) {
+  NewFormats formats{.reference = scene.reference.empty() ? first_fixed_reference : scene.reference,
+                     .operands = {{"*", "binary32"}},
+                     .range = assumed_range()};
+  MIXCMP_TRY(first, load_from(settings_of(scene, formats)));
+  formats.operands = function_operands(first);
+  if (scene.reference.empty()) {
+    MIXCMP_TRY(reference, function_reference(first));
+    formats.reference = reference;
+  }
+  return load_from(settings_of(scene, formats));
+}
+
 /// The scene in the formats that suit its data, unless the user has chosen the reference's.
 Result<LoadedScene> with_suitable_formats(const NewScene& scene) {
+  if (wants_fixed_references(scene)) return with_fixed_references(scene);
   Result<LoadedScene> plain = load_from(settings_of(scene, plain_formats(scene)));
   if (!plain.ok()) return plain;
   if (wants_integers(scene, *plain)) {
@@ -204,7 +253,35 @@ std::string narrower_format(const LoadedScene& loaded, const std::vector<Operand
   return fmt::format("format = \"{}\", ", types[input].name());
 }
 
+/// The inputs of a scene whose references are in fixed point: each has a format, and those in
+/// floating point have a range.
+std::string fixed_inputs_text(const LoadedScene& loaded, bool has_file) {
+  std::string text =
+      has_file
+          ? "# The range of an input is a promise: numbers beyond the next power of two make the\n"
+            "# verdict unordered. \"data\" takes the least and the greatest number of the data.\n"
+            "# Better, write what your hardware will meet: range = [0, 100].\n[inputs]\n"
+          : "# Write the ranges that your hardware will meet in place of these: numbers beyond "
+            "the\n"
+            "# next power of two make the verdict unordered. Wider ranges may ask for more bits "
+            "in\n"
+            "# reference.format.\n[inputs]\n";
+  const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const OperandFormat& format = loaded.scene.operand_formats[k];
+    std::string promise = fmt::format("format = \"{}\"", format.name());
+    if (format.floating() != nullptr)
+      promise += has_file
+                     ? ", range = \"data\""
+                     : fmt::format(", range = {}", settings::toml_value(range_of(assumed_range())));
+    text += has_file ? input_line(inputs[k], promise, numbers_of(*loaded.data, k))
+                     : fmt::format("{} = {{ {} }}\n", inputs[k], promise);
+  }
+  return text;
+}
+
 std::string ranges_text(const NewScene& scene, const LoadedScene& loaded) {
+  if (loaded.scene.reference_fixed_point) return fixed_inputs_text(loaded, !scene.file.empty());
   if (arrive_as_integers(loaded.scene)) return integers_text(loaded);
   const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
   if (!loaded.data) {
@@ -251,6 +328,13 @@ std::string_view meaning_of(data::Pairing pairing) {
 }
 
 std::string data_text(const NewScene& scene, const LoadedScene& loaded) {
+  if (loaded.data && scene.file.empty()) {
+    return "# Numbers drawn from the ranges of the inputs, until you have data: .csv, .npy or "
+           ".pdb.\n"
+           "# Then, in place of items: file = \"points.csv\", whose columns are called as the "
+           "inputs.\n"
+           "[data]\nitems = \"uniform\"\n";
+  }
   if (!loaded.data) {
     return "# Data are needed to verify, to profile and to optimise: .csv, .npy or .pdb.\n"
            "# [data]\n"
@@ -269,9 +353,9 @@ std::string data_text(const NewScene& scene, const LoadedScene& loaded) {
          columns_text("with_columns", scene.with_columns);
 }
 
-std::string head_text(const NewScene& scene) {
+std::string head_text(const NewScene& scene, const LoadedScene& loaded) {
   return "# Every key of this file: docs/scene_file.md of mixcmp. What comes next:\n#\n" +
-         next_text(scene, scene.path.filename(), "#   ");
+         next_text(loaded, scene.path.filename(), "#   ");
 }
 
 std::string comparison_text(const NewScene& scene) {
@@ -295,7 +379,27 @@ std::string exact_formats_text() {
          "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n";
 }
 
+std::string fixed_formats_text(const FixedPoint& reference) {
+  return fmt::format(
+      "# What you would trust to decide every comparison: functions are computed in fixed point, "
+      "here\n"
+      "# of {} bits below the power of two above each range. `mixcmp check` says by how much f - "
+      "g\n"
+      "# errs; \"q{}\" errs less and costs more.\n"
+      "[reference]\nformat = \"{}\"\n\n"
+      "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to `mixcmp\n"
+      "# optimise`; \"q13\" is fixed point of 13 bits. \"certified\": a lane decides only where "
+      "its "
+      "error\n"
+      "# bound is proven to allow it.\n"
+      "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n",
+      reference.bits, reference.bits + 4, reference.name());
+}
+
 std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
+  if (const auto& reference = loaded.scene.reference_fixed_point) {
+    return fixed_formats_text(*reference);
+  }
   if (arrive_as_integers(loaded.scene)) return exact_formats_text();
   const FloatFormat format = loaded.scene.reference.format;
   const bool follows_data = scene.reference.empty() && are_single(types_of_data(loaded));
@@ -347,6 +451,7 @@ Result<LoadedScene> load_new(const NewScene& scene) {
 }
 
 std::optional<Error> why_not_integers(const NewScene& scene, const LoadedScene& loaded) {
+  if (loaded.scene.reference_fixed_point) return std::nullopt;
   if (!scene.reference.empty() || arrive_as_integers(loaded.scene)) return std::nullopt;
   const std::vector<OperandFormat> types = types_of_data(loaded);
   if (are_integers(types)) return with_integers(scene, loaded).error();
@@ -360,17 +465,17 @@ std::optional<Error> why_not_integers(const NewScene& scene, const LoadedScene& 
 }
 
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", head_text(scene), comparison_text(scene),
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", head_text(scene, loaded), comparison_text(scene),
                      ranges_text(scene, loaded), formats_text(scene, loaded),
                      system_text(scene, loaded), data_text(scene, loaded));
 }
 
-std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
+std::vector<std::pair<std::string, std::string>> next_commands(const LoadedScene& loaded,
                                                                const std::filesystem::path& path) {
   const auto plan = path.parent_path() / (path.stem().string() + "_plan.toml");
   std::vector<std::pair<std::string, std::string>> commands = {
       {CommandLine("check", path, {}).text(), "what was understood of it"}};
-  if (scene.file.empty()) return commands;
+  if (!loaded.data) return commands;
   commands.insert(
       commands.end(),
       {{CommandLine("optimise", path, {}).add("-o", plan.string()).text(),
@@ -381,9 +486,9 @@ std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& s
   return commands;
 }
 
-std::string next_text(const NewScene& scene, const std::filesystem::path& path,
+std::string next_text(const LoadedScene& loaded, const std::filesystem::path& path,
                       const std::string& margin) {
-  const auto commands = next_commands(scene, path);
+  const auto commands = next_commands(loaded, path);
   std::size_t width = 0;
   for (const auto& [command, purpose] : commands) width = std::max(width, command.size());
   std::string text;

@@ -31,25 +31,27 @@ struct NewScene {
 
 /// Reads the scene with its data, as `mixcmp check` would read its file. Unless --reference says
 /// otherwise, operands arrive as integers where a .npy file has these and the scene's systems can
-/// take them, and floats of at most 32 bits make s24e8 the reference. Errors name the option of
-/// `mixcmp new` from which a value came.
+/// take them, and floats of at most 32 bits make s24e8 the reference. Functions make it one in
+/// fixed point, whose bits follow from the ranges. Errors name the option of `mixcmp new` from
+/// which a value came.
 Result<LoadedScene> load_new(const NewScene& scene);
 
 /// Why operands do not arrive as integers although the data have some; none where they do.
 std::optional<Error> why_not_integers(const NewScene& scene, const LoadedScene& loaded);
 
 /// The text of the scene file: every key with a sentence, and the commands that come next. An input
-/// has the range of its data, if it has finite ones.
+/// has the range of its data, if it has finite ones. Without data, references in fixed point need
+/// some range, and operands are drawn from it.
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded);
 
 /// The commands that come next, each with its purpose. `file` names the scene as seen from the
 /// folder in which they will be typed; the plan is made beside it.
-std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
+std::vector<std::pair<std::string, std::string>> next_commands(const LoadedScene& loaded,
                                                                const std::filesystem::path& file);
 
 /// The text of those commands. Each has a line that begins with `margin`, and its purpose stands in
 /// a column behind them.
-std::string next_text(const NewScene& scene, const std::filesystem::path& file,
+std::string next_text(const LoadedScene& loaded, const std::filesystem::path& file,
                       const std::string& margin);
 
 }  // namespace mixcmp::cli
