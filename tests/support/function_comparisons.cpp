@@ -35,6 +35,8 @@ std::vector<FunctionComparison> function_comparisons() {
   return {
       {"Metropolis", {{"u", "exp(-d)"}}, {{0, 1}, {0, 10}}},
       {"MetropolisOfBothSigns", {{"u", "exp(-d)"}}, {{0, 1}, {-3, 3}}},
+      {"LogOfAffine", {{"log(3 - a / 3)", "b"}}, {{0, mpq_class(35, 4)}, {-2, 2}}},
+      {"LogOfAffineTouchingZero", {{"log(2 - 2 * a)", "b"}}, {{-1, 1}, {-9, 2}}},
       {"Exp2", {{"exp2(a)", "b"}}, {{-4, 4}, {0, 20}}},
       {"Expm1", {{"expm1(a)", "b"}}, {{-1, 1}, {-1, 2}}},
       {"LogTouchingZero", {{"log(a)", "b"}}, {{0, 1}, {-10, 0}}},

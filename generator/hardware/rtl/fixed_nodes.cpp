@@ -492,9 +492,9 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
     return datapath_.describe(
         schedule_.steps[id],
         fmt::format(
-            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} of {}, and "
-            "the words follow from the last address down to 0.",
-            names_[id], node.power, to_string(*node.function), text(0), format, upper, text(0)));
+            "{}: the coefficient of t^{} in {}, in {}; its address is the {} of {}, and the words "
+            "follow from the last address down to 0.",
+            names_[id], node.power, fixed::function_text(node, text(0)), format, upper, text(0)));
   }
   if (fixed::is_floating_code(node)) {
     return datapath_.describe(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/base/number/dyadic.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/lane/fixed/graph_builder.hpp"
 #include "model/lane/fixed/norm_part.hpp"
 #include "model/lane/fixed/running_bound.hpp"
@@ -217,6 +218,17 @@ int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up) {
 
 bool follows_operands(const FixedNode& node) {
   return !node.function;
+}
+
+std::string function_text(const FixedNode& node, const std::string& argument) {
+  const auto& [factor, offset] = node.inner;
+  const std::string multiple = factor == 1    ? argument
+                               : factor == -1 ? "-" + argument
+                                              : to_text(factor) + " " + argument;
+  const std::string constant = offset == 0  ? ""
+                               : offset > 0 ? " + " + to_text(offset)
+                                            : " - " + to_text(-offset);
+  return fmt::format("{}({}{})", to_string(*node.function), multiple, constant);
 }
 
 bool is_floating_code(const FixedNode& node) {

@@ -73,6 +73,8 @@ struct FixedNode {
   /// For Operation::look_up, the conversions `floating`, `place` and `function_value`, and
   /// constants in their place.
   std::optional<Function> function = {};
+  /// Where there is a function: it is computed of `inner` of the argument, as in exp(1 - x / 2).
+  function::AffineMap inner = {};
   int power = 0;  ///< for Operation::look_up: of t, whose coefficient it is
   Range value;    ///< encloses the computed number: the result times its unit
   Range error;    ///< encloses the computed number less the real one
@@ -80,6 +82,8 @@ struct FixedNode {
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
 
+/// The node's function of an argument: "exp(-0.5 x + 1)".
+std::string function_text(const FixedNode& node, const std::string& argument);
 bool is_floating_code(const FixedNode& node);
 /// Tells whether hardware computes the node by wires alone. A check of its operand may stand beside
 /// them.

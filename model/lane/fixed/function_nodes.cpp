@@ -21,14 +21,51 @@ Range stood_for(const Range& computed, const Range& error) {
   return difference(computed, error);
 }
 
-/// By how much a function's value changes if its argument does by an error: the slopes between the
-/// computed argument and the real one, times the error. None if some slope has no bound.
-std::optional<Range> moved_by(Function function, const Range& computed, const Range& error) {
+/// By how much the value of function(inner(x)) changes if x does by an error: the slopes between
+/// the computed x and the real one, times the error. None if some slope has no bound.
+std::optional<Range> moved_by(Function function, const function::AffineMap& inner,
+                              const Range& computed, const Range& error) {
   const Range real = stood_for(computed, error);
   const Range both = {std::min(computed.low, real.low), std::max(computed.high, real.high)};
-  const function::Interval slope = function::taylor(function, function::Interval(both), 2).back();
+  const function::Interval slope =
+      function::taylor(function, function::Interval(inner.of(both)), 2, inner.factor).back();
   if (!slope.is_bounded()) return std::nullopt;
   return product(slope.range(), error);
+}
+
+/// The map of a node that is affine in one of its operands, which is no constant; none otherwise.
+struct AffineStep {
+  NodeId operand;
+  function::AffineMap map;
+};
+
+std::optional<AffineStep> affine_step(const Graph& graph, const Node& node) {
+  const auto constant = [&](int k) -> const mpq_class* {
+    const Node& operand = graph.nodes()[node.operands[k]];
+    return operand.operation == Operation::constant ? &operand.value : nullptr;
+  };
+  if (node.operation == Operation::negate && constant(0) == nullptr) {
+    return AffineStep{node.operands[0], {.factor = -1}};
+  }
+  if (arity(node.operation) != 2 || (constant(0) == nullptr) == (constant(1) == nullptr)) {
+    return std::nullopt;
+  }
+  const int read = constant(0) == nullptr ? 0 : 1;
+  const mpq_class& c = *constant(1 - read);
+  const NodeId operand = node.operands[read];
+  switch (node.operation) {
+    case Operation::add: return AffineStep{operand, {.offset = c}};
+    case Operation::subtract:
+      if (read == 1) return AffineStep{operand, {.factor = -1, .offset = c}};
+      return AffineStep{operand, {.offset = -c}};
+    case Operation::multiply:
+      if (c == 0) return std::nullopt;
+      return AffineStep{operand, {.factor = c}};
+    case Operation::divide:
+      if (read == 1 || c == 0) return std::nullopt;
+      return AffineStep{operand, {.factor = 1 / c}};
+    default: return std::nullopt;
+  }
 }
 
 /// The unit of a function's values. As for a root, it is the power of two at or below half of the
@@ -112,23 +149,50 @@ std::optional<Range> FixedGraphBuilder::enclosed(NodeId id) {
   MIXCMP_CHECK(false);
 }
 
+/// Affine operations between a function and a node are no nodes of the lane: tables hold the values
+/// of both. A limit is checked where the expression has it.
+FixedGraphBuilder::Applied FixedGraphBuilder::applied(NodeId id) const {
+  const Node& node = graph_.nodes()[id];
+  Applied applied{*node.function, {}, node.operands[0]};
+  const bool is_cut = options_.format.is_block || options_.format.guard_digits > 0;
+  while (!is_cut && !graph_.limits().contains(applied.node)) {
+    const auto step = affine_step(graph_, graph_.nodes()[applied.node]);
+    if (!step) break;
+    applied.inner = step->map.then(applied.inner);
+    applied.node = step->operand;
+  }
+  return applied;
+}
+
+std::vector<NodeId> FixedGraphBuilder::read_by(NodeId id) const {
+  const Node& node = graph_.nodes()[id];
+  if (node.operation == Operation::function) return {applied(id).node};
+  return {node.operands.begin(), node.operands.begin() + arity(node.operation)};
+}
+
 /// The argument of a function, limited if its format has numbers beyond what the scene declares at
 /// which the function has no value or is steep.
-Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
-  const Function function = *graph_.nodes()[id].function;
-  const NodeId whole = factor(operand(id, 0));
+Result<NodeId> FixedGraphBuilder::argument_of(NodeId id, const Applied& applied) {
+  const auto& [function, inner, read] = applied;
+  const NodeId whole = factor(this->read(read, affine_[id]));
   const FixedNode& argument = nodes_[whole];
+  const Range &value = argument.value, &error = argument.error;
   const mpq_class unit = argument.format.unit();
-  const Range& real = declared(graph_.nodes()[id].operands[0]);
-  mpz_class least = floor_of((real.low + argument.error.low) / unit);
+  const Range& real = declared(read);
+  mpz_class least = floor_of((real.low + error.low) / unit),
+            greatest = ceiling_of((real.high + error.high) / unit);
   if (const auto end = open_end(function)) {
-    least = std::max<mpz_class>(least, floor_of((*end + argument.error.high) / unit) + 1);
+    const mpq_class at = (*end - inner.offset) / inner.factor;
+    if (inner.factor > 0) {
+      least = std::max<mpz_class>(least, floor_of((at + error.high) / unit) + 1);
+    } else {
+      greatest = std::min<mpz_class>(greatest, ceiling_of((at + error.low) / unit) - 1);
+    }
   }
-  Range limits = {std::max<mpq_class>(argument.value.low, least * unit),
-                  std::min<mpq_class>(argument.value.high,
-                                      ceiling_of((real.high + argument.error.high) / unit) * unit)};
+  Range limits = {std::max<mpq_class>(value.low, least * unit),
+                  std::min<mpq_class>(value.high, greatest * unit)};
   const auto limited =
-      limits.low > limits.high ? std::nullopt : moved_by(function, limits, argument.error);
+      limits.low > limits.high ? std::nullopt : moved_by(function, inner, limits, error);
   if (!limited) {
     return refused(id, "the argument's range holds numbers at which the function has no bound",
                    options_.is_reference
@@ -136,7 +200,7 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
                        : "a narrower range of the inputs, or within(x, low, high) around the "
                          "argument");
   }
-  const auto unlimited = moved_by(function, argument.value, argument.error);
+  const auto unlimited = moved_by(function, inner, value, error);
   if (unlimited && absolute(*unlimited).high <= worth_a_limit * absolute(*limited).high) {
     return whole;
   }
@@ -148,7 +212,7 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
 
 /// The node of the coefficient of t^power. A constant does not read the argument, whose operands
 /// and limits are checked only if something does: a polynomial of degree 0 is a look-up.
-NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
+NodeId FixedGraphBuilder::coefficient(const Applied& applied, const function::Piecewise& piecewise,
                                       int power, NodeId argument) {
   const function::CoefficientTable& table = piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
@@ -156,7 +220,8 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
   if (is_read && are_equal(table.words)) {
     FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
     constant.format = table.format;
-    constant.function = function;
+    constant.function = applied.function;
+    constant.inner = applied.inner;
     constant.value = {table.words[0] * unit, table.words[0] * unit};
     return add(std::move(constant));
   }
@@ -169,12 +234,13 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
   }
   word.value = {least * unit, greatest * unit};
   word.words = with_address(table.words);
-  word.function = function;
+  word.function = applied.function;
+  word.inner = applied.inner;
   word.power = power;
   return add(std::move(word));
 }
 
-NodeId FixedGraphBuilder::floating_code(Function function, NodeId argument) {
+NodeId FixedGraphBuilder::floating_code(const Applied& applied, NodeId argument) {
   const FixedNode& number = nodes_[argument];
   const function::FloatingCode code{number.format.width};
   const auto at = [&](const mpq_class& end) {
@@ -185,26 +251,28 @@ NodeId FixedGraphBuilder::floating_code(Function function, NodeId argument) {
   node.format = code.format();
   node.value = {at(number.value.low), at(number.value.high)};
   node.error = {0, 0};
-  node.function = function;
+  node.function = applied.function;
+  node.inner = applied.inner;
   return add(std::move(node));
 }
 
 /// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
 /// that they have no error.
-NodeId FixedGraphBuilder::polynomial(Function function, const function::Piecewise& piecewise,
+NodeId FixedGraphBuilder::polynomial(const Applied& applied, const function::Piecewise& piecewise,
                                      NodeId argument) {
-  if (piecewise.is_floating) argument = floating_code(function, argument);
-  NodeId sum = coefficient(function, piecewise, piecewise.degree(), argument);
+  if (piecewise.is_floating) argument = floating_code(applied, argument);
+  NodeId sum = coefficient(applied, piecewise, piecewise.degree(), argument);
   if (piecewise.degree() == 0) return sum;
   FixedNode place = conversion(Conversion::place, argument);
   place.format = {.width = piecewise.piece_bits,
                   .unit_exponent = nodes_[argument].format.unit_exponent};
   place.value = {0, place.format.largest() * place.format.unit()};
   place.error = {0, 0};
-  place.function = function;
+  place.function = applied.function;
+  place.inner = applied.inner;
   const NodeId t = add(std::move(place));
   for (int k = piecewise.degree() - 1; k >= 0; --k) {
-    const NodeId constant = coefficient(function, piecewise, k, argument);
+    const NodeId constant = coefficient(applied, piecewise, k, argument);
     FixedNode product = exactly(Operation::multiply, sum, t);
     drop_bits(product, piecewise.coefficients[static_cast<std::size_t>(k)].format.unit_exponent -
                            product.format.unit_exponent);
@@ -216,26 +284,28 @@ NodeId FixedGraphBuilder::polynomial(Function function, const function::Piecewis
 }
 
 Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
-  const Function function = *graph_.nodes()[id].function;
-  MIXCMP_TRY(argument, argument_of(id));
+  const Applied applied = this->applied(id);
+  MIXCMP_TRY(argument, argument_of(id, applied));
   const FixedNode computed = nodes_[argument];
   const mpq_class unit = computed.format.unit();
-  const Range moved = *moved_by(function, computed.value, computed.error);
-  const Range values = function::value(function, function::Interval(computed.value)).range();
+  const Range moved = *moved_by(applied.function, applied.inner, computed.value, computed.error);
+  const function::Interval arguments(applied.inner.of(computed.value));
+  const Range values = function::value(applied.function, arguments).range();
   const int unit_exponent = unit_exponent_for(values, absolute(moved).high, options_.format.bits);
   const auto piecewise =
-      function::approximate(function, computed.format, floor_of(computed.value.low / unit),
-                            ceiling_of(computed.value.high / unit), unit_exponent);
+      function::approximate(applied.function, computed.format, floor_of(computed.value.low / unit),
+                            ceiling_of(computed.value.high / unit), unit_exponent, applied.inner);
   if (!piecewise) {
     return refused(id, "the function needs more pieces than a table has words",
                    "a narrower range of the inputs, or fewer bits");
   }
-  const NodeId last = polynomial(function, *piecewise, argument);
+  const NodeId last = polynomial(applied, *piecewise, argument);
   FixedNode result = nodes_[last];
   if (piecewise->degree() > 0) {
     result = conversion(Conversion::function_value, last);
     result.dropped_bits = unit_exponent - result.format.unit_exponent;
-    result.function = function;
+    result.function = applied.function;
+    result.inner = applied.inner;
     const mpq_class result_unit = power_of_two(unit_exponent);
     result.value =
         rounded_down(sum(values, {piecewise->error.low, piecewise->error.high}), result_unit);

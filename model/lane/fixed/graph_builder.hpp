@@ -66,12 +66,21 @@ private:
   /// Encloses the real values of an expression's node, for inputs within their ranges.
   const Range& declared(NodeId id);
   std::optional<Range> enclosed(NodeId id);
-  Result<NodeId> argument_of(NodeId id);
+  /// A function, and the affine map that its argument is of a node of the expression.
+  struct Applied {
+    Function function;
+    function::AffineMap inner;
+    NodeId node;
+  };
+  Applied applied(NodeId id) const;
+  /// The nodes of the expression from which a node is computed.
+  std::vector<NodeId> read_by(NodeId id) const;
+  Result<NodeId> argument_of(NodeId id, const Applied& applied);
   Result<FixedNode> function(NodeId id);
-  NodeId coefficient(Function function, const function::Piecewise& piecewise, int power,
+  NodeId coefficient(const Applied& applied, const function::Piecewise& piecewise, int power,
                      NodeId argument);
-  NodeId floating_code(Function function, NodeId argument);
-  NodeId polynomial(Function function, const function::Piecewise& piecewise, NodeId argument);
+  NodeId floating_code(const Applied& applied, NodeId argument);
+  NodeId polynomial(const Applied& applied, const function::Piecewise& piecewise, NodeId argument);
   /// An operation whose result loses the bits that are too many.
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
   FixedNode exactly(Operation operation, NodeId a, NodeId b) const;

@@ -110,12 +110,8 @@ private:
   }
 };
 
-/// The line on which a piece's arguments lie: x = start + slope t.
-struct Line {
-  mpq_class start, slope;
-
-  mpq_class at(const mpq_class& t) const { return start + slope * t; }
-};
+/// The line on which the function's arguments lie in a piece, as a map of t.
+using Line = AffineMap;
 
 /// The polynomial in t that has the function's values at Chebyshev's points of the places, by
 /// Newton's divided differences. Its coefficients are near those numbers; no proof relies on them.
@@ -167,10 +163,10 @@ std::optional<Range> difference_around(Function function, const Polynomial& poly
                                        const Line& line, const mpq_class& centre,
                                        const mpq_class& radius) {
   const auto terms = polynomial.size() + further_terms;
-  const mpq_class x = line.at(centre), reach_of_x = line.slope * radius;
-  const Polynomial here = taylor(function, Interval(x), static_cast<int>(terms), line.slope);
-  const Interval rest = taylor(function, Interval(Range{x - reach_of_x, x + reach_of_x}),
-                               static_cast<int>(terms) + 1, line.slope)
+  const Polynomial here =
+      taylor(function, Interval(line.at(centre)), static_cast<int>(terms), line.factor);
+  const Interval rest = taylor(function, Interval(line.of({centre - radius, centre + radius})),
+                               static_cast<int>(terms) + 1, line.factor)
                             .back();
   if (!rest.is_bounded()) return std::nullopt;
   const Polynomial around = moved(polynomial, Interval(centre));
@@ -217,9 +213,11 @@ std::vector<mpz_class> completed(std::vector<std::optional<mpz_class>> table) {
 /// Piecewise polynomials of one degree, with pieces of so many bits.
 class Candidate {
 public:
-  /// `arguments`: those of the pieces, as numbers.
-  Candidate(Function function, Range arguments, Pieces pieces, int degree, int unit_exponent)
+  /// `arguments`: those of the function, as numbers.
+  Candidate(Function function, AffineMap inner, Range arguments, Pieces pieces, int degree,
+            int unit_exponent)
       : function_(function),
+        inner_(std::move(inner)),
         arguments_(std::move(arguments)),
         pieces_(std::move(pieces)),
         degree_(degree),
@@ -275,10 +273,9 @@ private:
 
   bool add(const mpz_class& piece) {
     if (words_.empty()) forget();
-    const Line line{pieces_.start(piece), pieces_.slope(piece)};
+    const Line line = Line{pieces_.slope(piece), pieces_.start(piece)}.then(inner_);
     const Range places = pieces_.places(piece);
-    const Range arguments = {line.at(places.low), line.at(places.high)};
-    if (!value(function_, Interval(arguments)).is_bounded()) return false;
+    if (!value(function_, Interval(line.of(places))).is_bounded()) return false;
     const std::vector<mpf_class> wanted = interpolated(function_, line, places, degree_);
     Polynomial rounded;
     std::vector<mpz_class> words;
@@ -335,6 +332,7 @@ private:
   }
 
   Function function_;
+  AffineMap inner_;
   Range arguments_;
   Pieces pieces_;
   int degree_, unit_;
@@ -347,20 +345,26 @@ private:
 /// What a search is given: a function, its arguments, and the unit of its values.
 struct Wanted {
   Function function;
+  AffineMap inner;
   FixedFormat argument;
   mpz_class least, greatest;
   int unit_exponent;
 
   friend auto operator<=>(const Wanted& a, const Wanted& b) { return a.key() <=> b.key(); }
 
-  Range arguments() const { return {least * argument.unit(), greatest * argument.unit()}; }
+  /// Those of the function, as numbers.
+  Range arguments() const {
+    return inner.of({least * argument.unit(), greatest * argument.unit()});
+  }
   bool may_be_floating() const { return least > 0 && argument.width > 1; }
 
 private:
-  using Key = std::tuple<Function, int, int, bool, std::string, std::string, int>;
+  using Key =
+      std::tuple<Function, std::string, std::string, int, int, bool, std::string, std::string, int>;
   Key key() const {
-    return {function,          argument.width,       argument.unit_exponent, argument.is_signed,
-            least.get_str(62), greatest.get_str(62), unit_exponent};
+    return {function,          inner.factor.get_str(62), inner.offset.get_str(62),
+            argument.width,    argument.unit_exponent,   argument.is_signed,
+            least.get_str(62), greatest.get_str(62),     unit_exponent};
   }
 };
 
@@ -376,7 +380,7 @@ std::optional<Candidate> candidate(const Wanted& wanted, bool is_floating, int d
   for (int bits = std::max(address_bits, fewest); bits <= most; ++bits) {
     const int piece_bits = code.width - bits;
     if (degree > 0 && piece_bits == 0) break;
-    Candidate made(wanted.function, wanted.arguments(),
+    Candidate made(wanted.function, wanted.inner, wanted.arguments(),
                    Pieces(argument, is_floating, piece_bits, wanted.least, wanted.greatest), degree,
                    wanted.unit_exponent);
     if (made.may_do()) return made;
@@ -447,8 +451,8 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
 
 std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
-                                     int unit_exponent) {
-  const Wanted wanted{function, argument, least, greatest, unit_exponent};
+                                     int unit_exponent, const AffineMap& inner) {
+  const Wanted wanted{function, inner, argument, least, greatest, unit_exponent};
   static Memo<Wanted, std::optional<Piecewise>> known;
   return *known.of(wanted, [&] { return search(wanted); });
 }

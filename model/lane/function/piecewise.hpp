@@ -11,6 +11,7 @@
 #include "model/base/number/fixed_format.hpp"
 #include "model/comparison/expression/function.hpp"
 #include "model/comparison/expression/range.hpp"
+#include "model/lane/function/affine_map.hpp"
 
 /// Functions as polynomials of pieces, in fixed point. Proof: docs/fixed_point.md, theorem 10.
 namespace mixcmp::function {
@@ -57,10 +58,10 @@ struct FloatingCode {
   mpz_class of(const mpz_class& number) const;  ///< number > 0
 };
 
-/// A function of a fixed-point number X. C is X itself or, if the pieces shrink towards 0, X as a
-/// FloatingCode. The upper bits of C, in two's complement if it is signed, are the address of a
-/// piece; t is what the `piece_bits` lower bits count, in C's units. With the words c[k] at the
-/// address,
+/// A function of a fixed-point number X, perhaps after an affine map. C is X itself or, if the
+/// pieces shrink towards 0, X as a FloatingCode. The upper bits of C, in two's complement if it is
+/// signed, are the address of a piece; t is what the `piece_bits` lower bits count, in C's units.
+/// With the words c[k] at the address,
 ///   s[degree] = c[degree],  s[k] = c[k] + (s[k + 1] t, cut to the unit of c[k]),
 /// and the result is s[0] cut to `result`. Words of pieces that no argument reaches are those of
 /// others.
@@ -70,7 +71,7 @@ struct Piecewise {
   int piece_bits = 0;
   std::vector<CoefficientTable> coefficients;  ///< [k], at least one
   FixedFormat result;
-  /// Encloses the result less the function's real value at X, for every X of the arguments.
+  /// Encloses the result less the real value at X, for every X of the arguments.
   Range error;
 
   /// The format of C.
@@ -83,13 +84,14 @@ struct Piecewise {
 /// The result of hardware for the argument X, in units of the result; X is one of the arguments.
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 
-/// A piecewise polynomial whose error is less than a unit of 2^unit_exponent, of the least area
-/// among degrees and numbers of pieces by a rough model. `arguments`: the least and the greatest
-/// X, in units of the format. None if the function has no value somewhere between them, or if more
-/// pieces would be needed than 2^most_address_bits. Equal calls are answered from memory.
+/// A piecewise polynomial for x -> function(inner(x)) whose error is less than a unit of
+/// 2^unit_exponent, of the least area among degrees and numbers of pieces by a rough model. `least`
+/// and `greatest` X are in units of the format. None if the function has no value somewhere between
+/// them, or if more pieces would be needed than 2^most_address_bits. Equal calls are answered from
+/// memory.
 std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
-                                     int unit_exponent);
+                                     int unit_exponent, const AffineMap& inner = {});
 
 inline constexpr int most_address_bits = 10;
 

@@ -86,10 +86,11 @@ private:
   }
 
   Truth function_of(const FixedNode& node, NodeId argument) const {
-    const Truth& x = truths_[argument];
+    if (!truths_[argument]) return std::nullopt;
+    const Range x = shortened(node.inner.of(*truths_[argument]));
     const auto end = open_end(*node.function);
-    if (!x || (end && x->low <= *end)) return std::nullopt;
-    return value_near(*node.function, *x);
+    if (end && x.low <= *end) return std::nullopt;
+    return value_near(*node.function, x);
   }
 
   Truth truth_of(NodeId id) const {

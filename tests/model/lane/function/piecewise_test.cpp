@@ -18,6 +18,7 @@
 namespace mixcmp::test::piecewise_test {
 namespace {
 
+using function::AffineMap;
 using function::approximate;
 using function::evaluate;
 using function::Piecewise;
@@ -49,11 +50,18 @@ void expect_well_formed(const Piecewise& piecewise, int unit_exponent) {
   }
 }
 
+/// Encloses the function's value at any number.
+Range value_of(Function function, const mpq_class& x) {
+  const mpq_class unit = power_of_two(-300);
+  return value_near(function, {floor_of(x / unit) * unit, ceiling_of(x / unit) * unit});
+}
+
 /// Checks the result at one argument.
-void expect_right(Function function, const Piecewise& piecewise, const mpz_class& argument) {
+void expect_right(Function function, const Piecewise& piecewise, const mpz_class& argument,
+                  const AffineMap& inner = {}) {
   const mpz_class result = evaluate(piecewise, argument);
   const mpq_class computed = result * piecewise.result.unit();
-  const Range truth = value_at(function, argument * piecewise.argument.unit());
+  const Range truth = value_of(function, inner.at(argument * piecewise.argument.unit()));
   EXPECT_TRUE(holds(piecewise.result, result)) << describe(function, piecewise, argument);
   EXPECT_TRUE(computed - truth.low >= piecewise.error.low &&
               computed - truth.high <= piecewise.error.high)
@@ -66,7 +74,12 @@ void expect_right(Function function, const Piecewise& piecewise, const mpz_class
 struct Arguments {
   FixedFormat format;
   mpz_class least, greatest;
+  AffineMap inner = {};
 };
+
+/// Maps of both directions, exact and not in binary.
+const std::vector<AffineMap> maps = {
+    {}, {.factor = -1}, {.factor = mpq_class(-1, 3), .offset = mpq_class(2, 7)}, {.offset = 1}};
 
 /// Ranges of a format: all of it; without its ends, so that the outermost pieces are not full; one
 /// argument; around 0.
@@ -84,7 +97,7 @@ std::vector<Arguments> ranges_of(const FixedFormat& format) {
 /// The real arguments; they lie in the domain of the function.
 bool has_values(Function function, const Arguments& arguments) {
   const mpq_class unit = arguments.format.unit();
-  const Range real = {arguments.least * unit, arguments.greatest * unit};
+  const Range real = arguments.inner.of({arguments.least * unit, arguments.greatest * unit});
   const auto end = open_end(function);
   if (end) return real.low > *end;
   return function != Function::tan || (real.low > mpq_class(-3, 2) && real.high < mpq_class(3, 2));
@@ -106,17 +119,19 @@ TEST_P(EveryArgument, HasAResultWithinTheError) {
       for (std::size_t range = 0; range < 6; ++range, ++tables) {
         const FixedFormat format = format_below(reaches[tables % 4], width, is_signed);
         const int unit_exponent = unit_exponents[tables % 3];
-        const std::vector<Arguments> ranges = ranges_of(format);
-        if (range >= ranges.size() || !has_values(GetParam(), ranges[range])) continue;
-        const Arguments& arguments = ranges[range];
-        const auto piecewise =
-            approximate(GetParam(), format, arguments.least, arguments.greatest, unit_exponent);
+        std::vector<Arguments> ranges = ranges_of(format);
+        if (range >= ranges.size()) continue;
+        Arguments& arguments = ranges[range];
+        arguments.inner = maps[tables / 3 % maps.size()];
+        if (!has_values(GetParam(), arguments)) continue;
+        const auto piecewise = approximate(GetParam(), format, arguments.least, arguments.greatest,
+                                           unit_exponent, arguments.inner);
         // Otherwise a table may have a word for each argument.
         if (!piecewise && width > function::most_address_bits) continue;
         ASSERT_TRUE(piecewise) << format.name() << ", " << unit_exponent;
         expect_well_formed(*piecewise, unit_exponent);
         for (mpz_class x = arguments.least; x <= arguments.greatest; ++x) {
-          expect_right(GetParam(), *piecewise, x);
+          expect_right(GetParam(), *piecewise, x, arguments.inner);
         }
         if (HasFailure()) return;
       }
@@ -154,15 +169,17 @@ TEST_P(EveryArgument, OfManyBitsHasAResultWithinTheError) {
         const mpz_class low = format.smallest(), high = format.largest();
         const mpz_class eighth = (high - low) / 8;
         for (const Arguments& arguments :
-             {Arguments{format, low, high}, {format, high - 3 * eighth, high - eighth + 1}}) {
+             {Arguments{format, low, high},
+              {format, high - 3 * eighth, high - eighth + 1},
+              {format, high - eighth, high, {.factor = mpq_class(-2, 3), .offset = 3}}}) {
           if (!has_values(GetParam(), arguments)) continue;
-          const auto piecewise =
-              approximate(GetParam(), format, arguments.least, arguments.greatest, unit_exponent);
+          const auto piecewise = approximate(GetParam(), format, arguments.least,
+                                             arguments.greatest, unit_exponent, arguments.inner);
           if (!piecewise) continue;
           ++tables;
           expect_well_formed(*piecewise, unit_exponent);
           for (const mpz_class& x : hard_arguments(*piecewise, arguments, random)) {
-            expect_right(GetParam(), *piecewise, x);
+            expect_right(GetParam(), *piecewise, x, arguments.inner);
           }
           if (HasFailure()) return;
         }
@@ -224,6 +241,10 @@ TEST(Piecewise, OfEqualCallsIsEqual) {
   EXPECT_NE(first, of_sixty_fourths(Function::exp, -90, 91));
   EXPECT_NE(first, of_sixty_fourths(Function::exp2, -90, 90));
   EXPECT_NE(first, of_sixty_fourths(Function::exp, -90, 90, -9));
+  const FixedFormat format = {.width = 10, .unit_exponent = -6, .is_signed = true};
+  for (const AffineMap& inner : {AffineMap{.factor = -1}, AffineMap{.offset = mpq_class(1, 64)}}) {
+    EXPECT_NE(first, approximate(Function::exp, format, -90, 90, -8, inner));
+  }
 }
 
 /// A coarse unit, as in a lane of few bits, needs no words of arguments that do not occur.
