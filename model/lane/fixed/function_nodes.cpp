@@ -292,9 +292,9 @@ Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
   const function::Interval arguments(applied.inner.of(computed.value));
   const Range values = function::value(applied.function, arguments).range();
   const int unit_exponent = unit_exponent_for(values, absolute(moved).high, options_.format.bits);
-  const auto piecewise =
-      function::approximate(applied.function, computed.format, floor_of(computed.value.low / unit),
-                            ceiling_of(computed.value.high / unit), unit_exponent, applied.inner);
+  const auto piecewise = function::approximate(
+      applied.function, computed.format, floor_of(computed.value.low / unit),
+      ceiling_of(computed.value.high / unit), unit_exponent, applied.inner, options_.products);
   if (!piecewise) {
     return refused(id, "the function needs more pieces than a table has words",
                    "a narrower range of the inputs, or fewer bits");

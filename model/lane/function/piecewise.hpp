@@ -84,6 +84,12 @@ struct Piecewise {
 /// The result of hardware for the argument X, in units of the result; X is one of the arguments.
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 
+/// What multiplies coefficients and t.
+enum class ProductKind {
+  embedded,  ///< the device's multiplier blocks
+  logic,     ///< rows of carry chains
+};
+
 /// A piecewise polynomial for x -> function(inner(x)) whose error is less than a unit of
 /// 2^unit_exponent, of the least area among degrees and numbers of pieces by a rough model. `least`
 /// and `greatest` X are in units of the format. None if the function has no value somewhere between
@@ -91,7 +97,8 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 /// memory.
 std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
-                                     int unit_exponent, const AffineMap& inner = {});
+                                     int unit_exponent, const AffineMap& inner = {},
+                                     ProductKind products = ProductKind::embedded);
 
 inline constexpr int most_address_bits = 10;
 

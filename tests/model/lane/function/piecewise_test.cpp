@@ -22,6 +22,7 @@ using function::AffineMap;
 using function::approximate;
 using function::evaluate;
 using function::Piecewise;
+using function::ProductKind;
 
 std::string describe(Function function, const Piecewise& piecewise, const mpz_class& argument) {
   return fmt::format("{} of {} in {}, {} address bits, degree {}, to {}", to_string(function),
@@ -124,8 +125,9 @@ TEST_P(EveryArgument, HasAResultWithinTheError) {
         Arguments& arguments = ranges[range];
         arguments.inner = maps[tables / 3 % maps.size()];
         if (!has_values(GetParam(), arguments)) continue;
+        const ProductKind products = tables % 5 < 3 ? ProductKind::embedded : ProductKind::logic;
         const auto piecewise = approximate(GetParam(), format, arguments.least, arguments.greatest,
-                                           unit_exponent, arguments.inner);
+                                           unit_exponent, arguments.inner, products);
         // Otherwise a table may have a word for each argument.
         if (!piecewise && width > function::most_address_bits) continue;
         ASSERT_TRUE(piecewise) << format.name() << ", " << unit_exponent;
@@ -245,6 +247,24 @@ TEST(Piecewise, OfEqualCallsIsEqual) {
   for (const AffineMap& inner : {AffineMap{.factor = -1}, AffineMap{.offset = mpq_class(1, 64)}}) {
     EXPECT_NE(first, approximate(Function::exp, format, -90, 90, -8, inner));
   }
+}
+
+/// A product of logic grows with t, a multiplier block does not.
+TEST(Piecewise, HasNoWiderFactorsInLogic) {
+  int narrower = 0;
+  for (int width = 13; width <= 22; ++width) {
+    const FixedFormat format = {.width = width, .unit_exponent = -width};
+    const auto bits_of_factors = [&](ProductKind products) {
+      const auto made =
+          approximate(Function::exp, format, 0, format.largest(), -width, {}, products);
+      return made->degree() * made->piece_bits;
+    };
+    const int logic = bits_of_factors(ProductKind::logic);
+    const int embedded = bits_of_factors(ProductKind::embedded);
+    EXPECT_LE(logic, embedded) << width;
+    narrower += logic < embedded;
+  }
+  EXPECT_GT(narrower, 0);
 }
 
 /// A coarse unit, as in a lane of few bits, needs no words of arguments that do not occur.
