@@ -223,6 +223,11 @@ bool can_decide(const fixed::FixedLane& lane) {
   });
 }
 
+function::ProductKind products_of(scene::Multipliers multipliers) {
+  return multipliers == scene::Multipliers::embedded ? function::ProductKind::embedded
+                                                     : function::ProductKind::logic;
+}
+
 Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                            const scene::ReducedSpec& reduced) {
   MIXCMP_DO(check_fixed_bound(reduced));
@@ -230,7 +235,8 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                     .bound = reduced.error_bound,
                                     .ranges = scene.ranges,
                                     .grids = scene.grids,
-                                    .operand_formats = scene.operand_formats};
+                                    .operand_formats = scene.operand_formats,
+                                    .products = products_of(reduced.multipliers)};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());

@@ -35,6 +35,8 @@ std::vector<FunctionComparison> function_comparisons() {
   return {
       {"Metropolis", {{"u", "exp(-d)"}}, {{0, 1}, {0, 10}}},
       {"MetropolisOfBothSigns", {{"u", "exp(-d)"}}, {{0, 1}, {-3, 3}}},
+      {"LogOfAffine", {{"log(3 - a / 3)", "b"}}, {{0, mpq_class(35, 4)}, {-2, 2}}},
+      {"LogOfAffineTouchingZero", {{"log(2 - 2 * a)", "b"}}, {{-1, 1}, {-9, 2}}},
       {"Gamma", {{"a^(5/12)", "b"}}, {{0, 1}, {0, 1}}},
       {"GammaOfASum", {{"(a + b)^0.45", "c"}}, {{0, 1}, {0, 1}, {0, 2}}},
       {"CubeRootOfADifference", {{"(a - b)^(1/3)", "c"}}, {{0, 1}, {-1, 0}, {0, 1}}},
@@ -87,7 +89,7 @@ std::vector<FunctionComparison> function_comparisons() {
       {"Wrap", {{"abs(mod(a - b + 3.25, 6.5) - 3.25)", "c"}}, {{-3, 3}, {-3, 3}, {0, 3}}},
       {"WrapOfRoundedArguments", {{"mod(a * b, 0.7)", "c"}}, {{-1, 2}, {0, 2}, {0, 1}}},
       {"WrapOfOnePeriod", {{"mod(a, 8)", "b"}}, {{17, 23}, {0, 8}}},
-      {"Sign", {{"sign(a) * b", "c * sign(b)"}}, {{}, {}, {}}, {"int5", "q1.4", "q0.6"}},
+      {"Sign", {{"sign(a) * b", "c * sign(b)"}}, {{}, {}, {}}, {"int5", "q1.4", "q0.6"}, 0},
       {"Angle", {{"atan2(a, b)", "c"}}, {{}, {}, {}}, {"q0.4", "q0.4", "q2.6"}, 0},
       {"AngleToTheRight", {{"atan2(a, b)", "c"}}, {{}, {}, {}}, {"int8", "uint8", "q2.6"}, 0},
       {"AnglesOfIntegers", {{"atan2(a, b)", "c"}}, {{}, {}, {}}, {"int6", "int6", "q2.6"}, 0},

@@ -104,6 +104,9 @@ std::vector<Function> tested_functions() {
 }
 
 Range value_at(const Function& function, const mpq_class& x, int digits) {
+  if (const AffineMap& inner = function.inner(); !inner.is_identity()) {
+    return value_near(function, {x, x});
+  }
   if (const auto rational = rational_value(function, x)) return {*rational, *rational};
   BigFloat argument(std::max<mpfr_prec_t>(2, digits_of(x.get_num()))), value(digits);
   MIXCMP_CHECK(mpfr_set_q(argument.get(), x.get_mpq_t(), MPFR_RNDN) == 0);
@@ -116,6 +119,12 @@ Range value_at(const Function& function, const mpq_class& x, int digits) {
 }
 
 Range value_near(const Function& function, const Range& x) {
+  if (const AffineMap& inner = function.inner(); !inner.is_identity()) {
+    const mpq_class unit = power_of_two(-300);
+    const Range mapped = inner.of(x);
+    return value_near(function.outer(),
+                      {floor_of(mapped.low / unit) * unit, ceiling_of(mapped.high / unit) * unit});
+  }
   if (x.low == x.high) return value_at(function, x.low);
   MIXCMP_CHECK(x.high - x.low < power_of_two(-250));
   const mpq_class most_change = power_of_two(-210);

@@ -404,6 +404,12 @@ std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
       connect("a", 0);
       connections.push_back({"b", literal(1, 0)});
       break;
+    case Operation::multiply: {
+      const auto [first, second] = factors(id);
+      connect("a", first);
+      connect("b", second);
+      break;
+    }
     default:
       connect("a", 0);
       if (arity(node.operation) == 2) connect("b", 1);
@@ -424,7 +430,11 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
     case Operation::subtract:
       parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}, {"SUBTRACT", 1}};
       break;
-    case Operation::multiply: parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}}; break;
+    case Operation::multiply: {
+      const auto [first, second] = factors(id);
+      parameters = {{"A_WIDTH", bits(first)}, {"B_WIDTH", bits(second)}};
+      break;
+    }
     case Operation::square:
       parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", 1}, {"SQUARE", 1}};
       break;
@@ -455,6 +465,19 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
   parameters.push_back({"WIDTH", node.format.width});
   append_technology_parameters(schedule_.steps[id].unit, parameters);
   return parameters;
+}
+
+/// The operands that a product's unit takes as a and b. In logic a's digits make the rows, so it is
+/// the narrower factor, unless one is a constant.
+std::pair<int, int> FixedNodes::factors(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  const auto bits = [&](int k) { return datapath::operand_bits(lane_.nodes, node, k); };
+  const auto is_constant = [&](int k) {
+    return lane_.nodes[node.operands[k]].operation == Operation::constant;
+  };
+  const bool swaps = schedule_.steps[id].unit.module == "fixed_logic_product" &&
+                     bits(1) < bits(0) && !is_constant(0) && !is_constant(1);
+  return swaps ? std::pair(1, 0) : std::pair(0, 1);
 }
 
 /// An embedded multiplier has room for one bit more of a factor without a sign.

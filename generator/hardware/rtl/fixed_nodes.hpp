@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/hardware/datapath/schedule.hpp"
@@ -54,6 +55,7 @@ private:
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   Operand address(const fixed::FixedNode& look_up, int cycle);
+  std::pair<int, int> factors(NodeId id) const;
   std::vector<Parameter> table_parameters(const fixed::FixedNode& look_up) const;
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "model/base/common/check.hpp"
 #include "model/comparison/expression/text.hpp"
 
@@ -26,8 +28,22 @@ Function Function::through(const std::string& name, const Interpolation& interpo
   return function;
 }
 
+Function Function::of(const AffineMap& map) const {
+  Function function = *this;
+  function.inner_ = map.then(inner_);
+  return function;
+}
+
+Function Function::outer() const {
+  Function function = *this;
+  function.inner_ = {};
+  return function;
+}
+
 std::strong_ordering operator<=>(const Function& a, const Function& b) {
   if (a.kind_ != b.kind_) return a.kind_ <=> b.kind_;
+  if (a.inner_.factor != b.inner_.factor) return cmp(a.inner_.factor, b.inner_.factor) <=> 0;
+  if (a.inner_.offset != b.inner_.offset) return cmp(a.inner_.offset, b.inner_.offset) <=> 0;
   if (a.parameter_) return cmp(*a.parameter_, *b.parameter_) <=> 0;
   if (a.table_ == b.table_) return std::strong_ordering::equal;
   return a.table_->interpolation <=> b.table_->interpolation;
@@ -56,23 +72,37 @@ std::string to_string(const Function& function) {
   MIXCMP_CHECK(false);
 }
 
+/// "x", "-x", "2 * x", "-x / 3 + 1" for a name x.
+std::string text_of(const AffineMap& map, const std::string& name) {
+  const auto& [factor, offset] = map;
+  std::string text = name;
+  if (abs(factor.get_num()) != 1) text = mpz_class(abs(factor.get_num())).get_str() + " * " + text;
+  if (factor.get_den() != 1) text += " / " + factor.get_den().get_str();
+  if (factor < 0) text = "-" + text;
+  if (offset == 0) return text;
+  return fmt::format("{} {} {}", text, offset < 0 ? "-" : "+", to_text(abs(offset)));
+}
+
 std::string exponent_text(const Function& power) {
   const std::string exponent = to_text(power.parameter());
   return exponent.find('/') == std::string::npos ? exponent : fmt::format("({})", exponent);
 }
 
 std::string applied_text(const Function& function, const std::string& argument) {
-  const std::string name = to_string(function);
-  if (function.kind() == Function::power) return argument + "^" + exponent_text(function);
+  const std::string name = to_string(function), inner = text_of(function.inner(), argument);
+  if (function.kind() == Function::power) {
+    const bool is_name = function.inner().is_identity();
+    return fmt::format("{}^{}", is_name ? inner : "(" + inner + ")", exponent_text(function));
+  }
   if (function.kind() == Function::remainder) {
-    return fmt::format("{}({}, {})", name, argument, to_text(function.parameter()));
+    return fmt::format("{}({}, {})", name, inner, to_text(function.parameter()));
   }
   if (function.kind() == Function::table) {
     const int degree = function.interpolation().degree();
-    return fmt::format("{}(\"{}\", {}{})", name, function.table_name(), argument,
+    return fmt::format("{}(\"{}\", {}{})", name, function.table_name(), inner,
                        degree == 1 ? "" : fmt::format(", {}", degree));
   }
-  return fmt::format("{}({})", name, argument);
+  return fmt::format("{}({})", name, inner);
 }
 
 bool has_jumps(const Function& function) {
@@ -80,33 +110,44 @@ bool has_jumps(const Function& function) {
 }
 
 bool Domain::contains(const mpq_class& argument) const {
-  if (high && argument > *high) return false;
-  return !low || (is_open ? argument > *low : argument >= *low);
+  if (high && (high->is_open ? argument >= high->at : argument > high->at)) return false;
+  return !low || (low->is_open ? argument > low->at : argument >= low->at);
 }
 
-Domain domain(const Function& function) {
+namespace {
+
+Domain domain_without_map(const Function& function) {
   const Function::Kind kind = function.kind();
-  if (kind == Function::log || kind == Function::log2)
-    return {.low = 0, .high = {}, .is_open = true};
-  if (kind == Function::log1p) return {.low = -1, .high = {}, .is_open = true};
+  if (kind == Function::log || kind == Function::log2) return {.low = {{0, true}}};
+  if (kind == Function::log1p) return {.low = {{-1, true}}};
   if (kind == Function::table) {
     const std::vector<mpq_class>& knots = function.interpolation().knots();
-    return {.low = knots.front(), .high = knots.back()};
+    return {.low = {{knots.front()}}, .high = {{knots.back()}}};
   }
   if (kind != Function::power) return {};
   const mpq_class& exponent = function.parameter();
   if (exponent.get_den() == 1 && exponent > 0) return {};
-  return {.low = 0, .high = {}, .is_open = exponent < 0};
+  return {.low = {{0, exponent < 0}}};
+}
+
+}  // namespace
+
+Domain domain(const Function& function) {
+  Domain found = domain_without_map(function);
+  const AffineMap& inner = function.inner();
+  for (std::optional<Domain::End>* end : {&found.low, &found.high}) {
+    if (*end) (*end)->at = ((*end)->at - inner.offset) / inner.factor;
+  }
+  if (inner.factor < 0) std::swap(found.low, found.high);
+  return found;
 }
 
 std::string accepted_arguments(const Function& function) {
   const Domain accepted = domain(function);
   if (!accepted.low) return "a number";
-  if (accepted.high) {
-    return fmt::format("a number {}..{}", to_text(*accepted.low), to_text(*accepted.high));
-  }
-  return fmt::format("a number {} {}", accepted.is_open ? "above" : "of at least",
-                     to_text(*accepted.low));
+  const std::string low = to_text(accepted.low->at);
+  if (accepted.high) return fmt::format("a number {}..{}", low, to_text(accepted.high->at));
+  return fmt::format("a number {} {}", accepted.low->is_open ? "above" : "of at least", low);
 }
 
 }  // namespace mixcmp::inline expression

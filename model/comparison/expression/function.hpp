@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "model/comparison/expression/affine_map.hpp"
 #include "model/comparison/expression/interpolation.hpp"
 
 namespace mixcmp::inline expression {
 
-/// A function of one argument, with what it depends on otherwise.
+/// A function of one argument, with what it depends on otherwise. The argument may pass an affine
+/// map first, as in exp(1 - x / 2).
 class Function {
 public:
   /// By their names in C if they have one.
@@ -43,7 +45,13 @@ public:
   /// `name`: that of the table's file, for messages.
   static Function through(const std::string& name, const Interpolation& interpolation);
 
+  /// This function of the map's value.
+  Function of(const AffineMap& map) const;
+
   Kind kind() const { return kind_; }
+  const AffineMap& inner() const { return inner_; }
+  /// The function of the map's value.
+  Function outer() const;
   /// y.
   const mpq_class& parameter() const { return *parameter_; }
   const Interpolation& interpolation() const { return table_->interpolation; }
@@ -59,6 +67,7 @@ private:
   };
 
   Kind kind_;
+  AffineMap inner_;
   std::optional<mpq_class> parameter_;
   std::shared_ptr<const Table> table_;
 };
@@ -83,8 +92,12 @@ bool has_jumps(const Function& function);
 /// The arguments at which a function has a value. Without an end it has values on all that side,
 /// tan except at its poles, none of which is rational.
 struct Domain {
-  std::optional<mpq_class> low, high;
-  bool is_open = false;  ///< the lower end itself has no value
+  /// A side up to which there are values.
+  struct End {
+    mpq_class at;
+    bool is_open = false;  ///< the end itself has no value
+  };
+  std::optional<End> low, high;
 
   bool contains(const mpq_class& argument) const;
 };

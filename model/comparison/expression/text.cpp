@@ -105,7 +105,8 @@ private:
     const std::string whole = applied_text(*node.function, "#");
     const std::size_t argument = whole.rfind('#');
     text_ += whole.substr(0, argument);
-    expression(node.operands[0], is_power(node) ? Binding::atom : Binding::sum);
+    const bool is_alone = !is_power(node) && node.function->inner().is_identity();
+    expression(node.operands[0], is_alone ? Binding::sum : Binding::atom);
     text_ += whole.substr(argument + 1);
   }
 

@@ -98,11 +98,12 @@ Knowledge enclose_root(Interval& y, const Interval& x) {
 Knowledge enclose_function(Interval& y, const Interval& x, const Function& function) {
   const Domain accepted = domain(function);
   const auto is_below = [&](const BigFloat& number) {
-    const int order = accepted.low ? mpfr_cmp_q(number.get(), accepted.low->get_mpq_t()) : 1;
-    return accepted.is_open ? order <= 0 : order < 0;
+    if (!accepted.low) return false;
+    const int order = mpfr_cmp_q(number.get(), accepted.low->at.get_mpq_t());
+    return accepted.low->is_open ? order <= 0 : order < 0;
   };
   const auto is_above = [&](const BigFloat& number) {
-    return accepted.high && mpfr_cmp_q(number.get(), accepted.high->get_mpq_t()) > 0;
+    return accepted.high && mpfr_cmp_q(number.get(), accepted.high->at.get_mpq_t()) > 0;
   };
   if (is_below(x.high) || is_above(x.low)) return Knowledge::undefined;
   if (is_below(x.low) || is_above(x.high)) return Knowledge::uncertain;

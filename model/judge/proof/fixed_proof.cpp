@@ -265,8 +265,15 @@ private:
       return;
     }
     const Range stated = node.error;
+    Range value = found->value;
+    if (node.conversion == fixed::Conversion::function_value) {
+      FixedNode last = node;  // the last cut
+      last.value = nodes_[node.operands[0]].value;
+      drop_bits(last);
+      fixed::narrow(value, last.value);
+    }
     const mpq_class more = scaled(node.format.unit(), -places_of_function_errors);
-    const bool holds = is_inside(found->value, node.value) &&
+    const bool holds = is_inside(value, node.value) &&
                        is_inside(found->error, {stated.low - more, stated.high + more});
     const std::string other =
         fmt::format("; the lane says {} to {}", shown(stated.low), shown(stated.high));
@@ -274,7 +281,7 @@ private:
                                            shown(found->error.low), shown(found->error.high)),
                                holds ? Outcome::proven : Outcome::not_proven,
                                found->reason + (holds ? "" : other)});
-    node.value = found->value;
+    node.value = value;
     node.error = rounded_outward(found->error, node.format);
   }
 

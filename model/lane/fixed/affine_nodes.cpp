@@ -94,6 +94,8 @@ private:
     const bool is_product = node.operation == Operation::multiply ||
                             node.operation == Operation::square ||
                             node.operation == Operation::divide;
+    // Small arguments make a function neither small nor its error.
+    if (node.operation == Operation::function) return;
     if (!visited_.insert({id, below_product}).second) return;
     for (int k = 0; k < arity(node.operation); ++k) {
       read(node.operands[k], below_product || is_product);

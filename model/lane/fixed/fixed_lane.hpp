@@ -209,6 +209,9 @@ struct FixedOptions {
   std::vector<std::optional<mpq_class>> grids = {};
   /// One per input, or none: all operands arrive in the lane's input format.
   std::vector<OperandFormat> operand_formats = {};
+  /// How hardware multiplies; the tables of functions of the least area depend on it. Results of
+  /// references must not, so they leave it as it is.
+  function::ProductKind products = function::ProductKind::embedded;
   /// Makes a reference. The bound is then `constant`.
   bool is_reference = false;
 

@@ -54,6 +54,46 @@ std::optional<Range> moved_by(const Function& function, const Range& computed, c
   return moved;
 }
 
+/// The map of a node that is affine in one of its operands, which is no constant; none otherwise.
+struct AffineStep {
+  NodeId operand;
+  AffineMap map;
+};
+
+std::optional<AffineStep> affine_step(const Graph& graph, const Node& node) {
+  const auto constant = [&](int k) -> const mpq_class* {
+    const Node& operand = graph.nodes()[node.operands[k]];
+    return operand.operation == Operation::constant ? &operand.value : nullptr;
+  };
+  if (node.operation == Operation::negate && constant(0) == nullptr) {
+    return AffineStep{node.operands[0], {.factor = -1}};
+  }
+  if (arity(node.operation) != 2 || (constant(0) == nullptr) == (constant(1) == nullptr)) {
+    return std::nullopt;
+  }
+  const int read = constant(0) == nullptr ? 0 : 1;
+  const mpq_class& c = *constant(1 - read);
+  const NodeId operand = node.operands[read];
+  switch (node.operation) {
+    case Operation::add: return AffineStep{operand, {.offset = c}};
+    case Operation::subtract:
+      if (read == 1) return AffineStep{operand, {.factor = -1, .offset = c}};
+      return AffineStep{operand, {.offset = -c}};
+    case Operation::multiply:
+      if (c == 0) return std::nullopt;
+      return AffineStep{operand, {.factor = c}};
+    case Operation::divide:
+      if (read == 1 || c == 0) return std::nullopt;
+      return AffineStep{operand, {.factor = 1 / c}};
+    default: return std::nullopt;
+  }
+}
+
+bool is_smooth(const Function& function) {
+  const auto smooth = std::find(all_functions.begin(), all_functions.end(), function.kind());
+  return smooth != all_functions.end();
+}
+
 /// The unit of a function's values. As for a root, it is the power of two at or below half of the
 /// error that results from the argument's error.
 int unit_exponent_for(const Range& values, const mpq_class& effect, int bits) {
@@ -144,23 +184,27 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id, const Function& functio
   const FixedNode& argument = nodes_[whole];
   const mpq_class unit = argument.format.unit();
   mpz_class least = floor_of((real.low + argument.error.low) / unit);
+  mpz_class greatest = ceiling_of((real.high + argument.error.high) / unit);
   const Domain accepted = domain(function);
   // A lane leaves what may have no value undecided; a reference trusts the ranges.
   const Range reached = options_.is_reference ? real : stood_for(argument.value, argument.error);
-  if (accepted.low && (accepted.is_open || reached.low < *accepted.low)) {
-    const mpq_class end = (*accepted.low + argument.error.high) / unit;
-    const mpz_class first = accepted.is_open ? floor_of(end) + 1 : ceiling_of(end);
+  if (const auto& low = accepted.low; low && (low->is_open || reached.low < low->at)) {
+    mpq_class end = low->at + argument.error.high;
+    const mpz_class first = low->is_open ? floor_of(end / unit) + 1 : ceiling_of(end / unit);
     least = std::max(least, first);
+    if (low->is_open && real.low <= low->at && !options_.is_reference) {
+      end = low->at + balanced_distance(argument.error, real.high - low->at);
+      least = std::max(least, floor_of(end / unit));
+    }
   }
-  if (accepted.is_open && real.low <= *accepted.low && !options_.is_reference) {
-    least = std::max(
-        least,
-        floor_of((*accepted.low + balanced_distance(argument.error, real.high - *accepted.low)) /
-                 unit));
-  }
-  mpz_class greatest = ceiling_of((real.high + argument.error.high) / unit);
-  if (accepted.high && reached.high > *accepted.high) {
-    greatest = std::min(greatest, floor_of((*accepted.high + argument.error.low) / unit));
+  if (const auto& high = accepted.high; high && (high->is_open || reached.high > high->at)) {
+    mpq_class end = high->at + argument.error.low;
+    const mpz_class last = high->is_open ? ceiling_of(end / unit) - 1 : floor_of(end / unit);
+    greatest = std::min(greatest, last);
+    if (high->is_open && real.high >= high->at && !options_.is_reference) {
+      end = high->at - balanced_distance(argument.error, high->at - real.low);
+      greatest = std::min(greatest, ceiling_of(end / unit));
+    }
   }
   Range limits = {std::max<mpq_class>(argument.value.low, least * unit),
                   std::min<mpq_class>(argument.value.high, greatest * unit)};
@@ -322,9 +366,31 @@ NodeId FixedGraphBuilder::polynomial(const Function& function, const function::P
   return sum;
 }
 
-Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
+/// Affine operations between a smooth function and a node are no nodes of the lane: tables hold the
+/// values of both. A limit is checked where the expression has it.
+FixedGraphBuilder::Applied FixedGraphBuilder::applied_at(NodeId id) const {
   const Node& node = graph_.nodes()[id];
-  return applied(id, *node.function, factor(operand(id, 0)), declared(node.operands[0]), 0);
+  Applied applied{*node.function, node.operands[0]};
+  const bool is_cut = options_.format.is_block || options_.format.guard_digits > 0;
+  if (is_cut || !is_smooth(applied.function)) return applied;
+  while (!graph_.limits().contains(applied.node)) {
+    const auto step = affine_step(graph_, graph_.nodes()[applied.node]);
+    if (!step) break;
+    applied = {applied.function.of(step->map), step->operand};
+  }
+  return applied;
+}
+
+std::vector<NodeId> FixedGraphBuilder::read_by(NodeId id) const {
+  const Node& node = graph_.nodes()[id];
+  if (node.operation == Operation::function) return {applied_at(id).node};
+  return {node.operands.begin(), node.operands.begin() + arity(node.operation)};
+}
+
+Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
+  const Applied found = applied_at(id);
+  return applied(id, found.function, factor(read(found.node, affine_[id])), declared(found.node),
+                 0);
 }
 
 /// Whether a quotient is (u - v) / (u + v) of numbers that are not negative: it is from -1 to 1.
@@ -343,7 +409,7 @@ Result<FixedNode> FixedGraphBuilder::quotient_by_variable(NodeId id) {
   Range real = declared(divisor);
   if (real.low < 0 && real.high > 0) {
     return refused(id, "the divisor may be below 0 and above it",
-                   "a floating-point format, or ranges that leave the divisor one sign");
+                   "ranges, or within(x, low, high), that leave the divisor one sign");
   }
   NodeId argument = factor(operand(id, 1));
   const bool is_negative = real.low < 0;
@@ -390,9 +456,9 @@ Result<FixedNode> FixedGraphBuilder::applied(NodeId id, const Function& function
   const Range values = function::value(function, Interval(computed.value)).range();
   const int unit_exponent =
       unit_exponent_for(values, absolute(moved).high, options_.format.bits + further);
-  const auto piecewise =
-      function::approximate(function, computed.format, floor_of(computed.value.low / unit),
-                            ceiling_of(computed.value.high / unit), unit_exponent);
+  const auto piecewise = function::approximate(
+      function, computed.format, floor_of(computed.value.low / unit),
+      ceiling_of(computed.value.high / unit), unit_exponent, options_.products);
   if (!piecewise) {
     return refused(id, "the function needs more pieces than a table has words",
                    "a narrower range of the inputs, or fewer bits");

@@ -153,10 +153,9 @@ NodeId FixedGraphBuilder::read(NodeId id, bool by_affine) {
 
 Result<NodeId> FixedGraphBuilder::node(NodeId id) {
   if (known_[id] >= 0) return known_[id];
-  const Node& node = graph_.nodes()[id];
-  for (int k = 0; k < arity(node.operation); ++k) {
-    MIXCMP_TRY(operand, this->node(node.operands[k]));
-    (void)operand;
+  for (const NodeId operand : read_by(id)) {
+    MIXCMP_TRY(made, node(operand));
+    (void)made;
   }
   MIXCMP_TRY(made, make(id));
   known_[id] = add(std::move(made));

@@ -66,6 +66,14 @@ private:
   /// Encloses the real values of an expression's node, for inputs within their ranges.
   const Range& declared(NodeId id);
   std::optional<Range> enclosed(NodeId id);
+  /// A function, and the node of the expression that is its argument.
+  struct Applied {
+    Function function;
+    NodeId node;
+  };
+  Applied applied_at(NodeId id) const;
+  /// The nodes of the expression from which a node is computed.
+  std::vector<NodeId> read_by(NodeId id) const;
   Result<FixedNode> function(NodeId id);
   Result<FixedNode> quotient_by_variable(NodeId id);
   Result<FixedNode> applied(NodeId id, const Function& function, NodeId whole, const Range& real,

@@ -16,11 +16,35 @@ namespace {
 
 constexpr int most_degree = 8;
 
-/// The unit of s[0] is so many bits finer than that of the result: every coefficient and every cut
-/// adds an error of about a unit of s[0], all together at most half a unit of the result. A word
-/// that is the result needs none.
-int guard_bits(int degree) {
+/// The unit of s[0] is at most so many bits finer than that of the result: every coefficient and
+/// every cut adds an error of about a unit of s[0], all together at most half a unit of the result.
+/// A word that is the result needs none.
+int most_guard_bits(int degree) {
   return degree == 0 ? 0 : 2 + std::bit_width(static_cast<unsigned>(degree));
+}
+
+/// The look-up tables that one multiplier block is worth. Logic of the same width takes some 80
+/// (12-bit factors), but has no sum behind it that would be there anyway.
+constexpr double luts_of_block = 40;
+
+/// Look-up tables of a product of logic, fitted to fixed_logic_product after Yosys' synth_xilinx
+/// (model/cost/units/xilinx_7.csv): a row for every two bits of the narrower factor, two more, and
+/// two bits more than the wider one in each.
+double product_luts(ProductKind kind, int a_bits, int b_bits) {
+  if (kind == ProductKind::embedded) return luts_of_block;
+  return 1.08 * (std::min(a_bits, b_bits) / 2 + 2) * (std::max(a_bits, b_bits) + 2);
+}
+
+/// Look-up tables of six inputs for so many words from `least` to `greatest`, which follow a smooth
+/// curve: each bit takes one for 64 words, but a high bit changes only in few of these blocks.
+double rough_table_luts(double words, const mpz_class& least, const mpz_class& greatest) {
+  const double range = mpz_class(greatest - least).get_d();
+  const double blocks = std::max(1.0, words / 64);
+  double luts = 0;
+  for (double period = 1; period <= range; period *= 2) {
+    luts += std::min(blocks, range / period + 1);
+  }
+  return luts;
 }
 
 /// Bounds are taken on so many parts of a piece, so that the Taylor coefficients of the difference
@@ -316,20 +340,22 @@ std::vector<mpz_class> completed(std::vector<std::optional<mpz_class>> table) {
 class Candidate {
 public:
   /// `arguments`: those of the pieces, as numbers.
-  Candidate(const Function& function, Range arguments, Pieces pieces, int degree, int unit_exponent)
+  Candidate(const Function& function, Range arguments, Pieces pieces, int degree, int guard_bits,
+            int unit_exponent)
       : function_(function),
         arguments_(std::move(arguments)),
         pieces_(std::move(pieces)),
         degree_(degree),
+        guard_bits_(guard_bits),
         unit_(unit_exponent) {
     // Powers of t below 1 in magnitude need no coarser units for higher coefficients.
     const int span_exponent =
         pieces_.span() == 0 ? 0 : static_cast<int>(floor_log2(pieces_.span())) + 1;
-    for (int k = 0; k <= degree_; ++k)
-      units_.push_back(unit_ - guard_bits(degree_) - k * span_exponent);
+    for (int k = 0; k <= degree_; ++k) units_.push_back(unit_ - guard_bits_ - k * span_exponent);
   }
 
   int degree() const { return degree_; }
+  int guard_bits() const { return guard_bits_; }
   bool is_floating() const { return pieces_.is_floating; }
   bool has_starts() const { return !pieces_.starts.empty(); }
   int address_bits() const { return pieces_.address_bits(); }
@@ -349,17 +375,17 @@ public:
     return made();
   }
 
-  /// Look-up tables of six inputs, roughly: 64 bits of a table each, a row of a product for each
-  /// bit of t, an adder's bit for each of a sum. Of the pieces that were tried.
-  double area() const {
+  /// Look-up tables of six inputs, roughly: of tables, products and sums. Of the pieces that were
+  /// tried.
+  double area(ProductKind products) const {
     const double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
     const int bits = pieces_.argument.width;
     double luts = is_floating() ? 0.5 * bits * std::bit_width(static_cast<unsigned>(bits)) : 0;
     luts += static_cast<double>(pieces_.starts.size()) * bits;
     for (std::size_t k = 0; k < units_.size(); ++k) {
       const int width = FixedFormat::holding(least_[k], greatest_[k], 0).width;
-      luts += width * std::max(1.0, words / 64);
-      if (k > 0) luts += 0.6 * width * pieces_.piece_bits;
+      luts += rough_table_luts(words, least_[k], greatest_[k]);
+      if (k > 0) luts += product_luts(products, width + 1, pieces_.piece_bits + 1);
       if (k + 1 < units_.size()) luts += width;
     }
     return luts;
@@ -369,8 +395,8 @@ private:
   void forget() {
     error_.reset();
     words_.clear();
-    least_.assign(units_.size(), 0);
-    greatest_.assign(units_.size(), 0);
+    least_.clear();
+    greatest_.clear();
   }
 
   bool add(const mpz_class& piece) {
@@ -387,11 +413,14 @@ private:
       // of the result.
       mpq_class raised = scaled(mpq_class(wanted[k]), -units_[k]) + mpq_class(1, 2);
       if (k + 1 < units_.size()) raised += mpq_class(1, 2);
-      if (k == 0) raised += (mpq_class(1 << guard_bits(degree_)) - 1) / 2;
+      if (k == 0) raised += (mpq_class(1 << guard_bits_) - 1) / 2;
       words.push_back(floor_of(raised));
       rounded.emplace_back(scaled(mpq_class(words.back()), units_[k]));
-      least_[k] = std::min(least_[k], words.back());
-      greatest_[k] = std::max(greatest_[k], words.back());
+    }
+    if (words_.empty()) least_ = greatest_ = words;
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      least_[k] = std::min(least_[k], words[k]);
+      greatest_[k] = std::max(greatest_[k], words[k]);
     }
     const auto error = difference_on_piece(function_, rounded, line, places);
     if (!error) return false;
@@ -438,7 +467,7 @@ private:
   Function function_;
   Range arguments_;
   Pieces pieces_;
-  int degree_, unit_;
+  int degree_, guard_bits_, unit_;
   std::vector<int> units_;  ///< of s[k] and c[k]
   std::optional<Range> error_;
   std::vector<std::pair<std::size_t, std::vector<mpz_class>>> words_;  ///< by address, of pieces
@@ -451,13 +480,15 @@ struct Wanted {
   FixedFormat argument;
   mpz_class least, greatest;
   int unit_exponent;
+  ProductKind products;
 
   friend auto operator<=>(const Wanted& a, const Wanted& b) { return a.key() <=> b.key(); }
 
   Range arguments() const { return {least * argument.unit(), greatest * argument.unit()}; }
   /// Whether pieces that shrink towards 0 help. They do at 0 itself where the function ends there.
   bool may_be_floating() const {
-    const bool ends_at_zero = domain(function).low == mpq_class(0);
+    const Domain accepted = domain(function);
+    const bool ends_at_zero = accepted.low && accepted.low->at == 0;
     return argument.width > 1 && (least > 0 || (least == 0 && ends_at_zero));
   }
 
@@ -474,64 +505,84 @@ struct Wanted {
   }
 
 private:
-  using Key = std::tuple<Function, int, int, bool, std::string, std::string, int>;
+  using Key = std::tuple<Function, int, int, bool, std::string, std::string, int, ProductKind>;
   Key key() const {
     return {function,          argument.width,       argument.unit_exponent, argument.is_signed,
-            least.get_str(62), greatest.get_str(62), unit_exponent};
+            least.get_str(62), greatest.get_str(62), unit_exponent,          products};
   }
 };
 
-/// The candidate of a degree with the fewest pieces, `address_bits` or more, that may do.
-std::optional<Candidate> candidate(const Wanted& wanted, bool is_floating, int degree,
-                                   int address_bits) {
+/// What distinguishes candidates, besides the number of pieces.
+struct Shape {
+  bool is_floating;
+  int degree, guard_bits;
+};
+
+/// The candidate of a shape with the fewest pieces, `address_bits` or more, that may do.
+std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int address_bits) {
   const FixedFormat& argument = wanted.argument;
   const FloatingCode floating{argument.width};
-  const FixedFormat code = is_floating ? floating.format() : argument;
+  const FixedFormat code = shape.is_floating ? floating.format() : argument;
   const int most = std::min(code.width, most_address_bits);
   // No piece has both signs, or two exponents.
-  const int fewest = is_floating ? floating.exponent_bits() : argument.is_signed ? 1 : 0;
+  const int fewest = shape.is_floating ? floating.exponent_bits() : argument.is_signed ? 1 : 0;
   for (int bits = std::max(address_bits, fewest); bits <= most; ++bits) {
     const int piece_bits = code.width - bits;
-    if (degree > 0 && piece_bits == 0) break;
+    if (shape.degree > 0 && piece_bits == 0) break;
     Candidate made(wanted.function, wanted.arguments(),
-                   Pieces(argument, is_floating, piece_bits, wanted.least, wanted.greatest), degree,
-                   wanted.unit_exponent);
+                   Pieces(argument, shape.is_floating, piece_bits, wanted.least, wanted.greatest),
+                   shape.degree, shape.guard_bits, wanted.unit_exponent);
     if (made.may_do()) return made;
   }
   return std::nullopt;
+}
+
+/// The shapes of a degree: with one guard bit fewer than the most, tables are narrower, but
+/// polynomials must be nearer to the function.
+std::vector<Shape> shapes_of(const Wanted& wanted, int degree) {
+  std::vector<Shape> shapes;
+  for (const bool is_floating : {false, true}) {
+    if (is_floating && !wanted.may_be_floating()) continue;
+    const int most = most_guard_bits(degree);
+    for (int guard_bits = std::max(0, most - 1); guard_bits <= most; ++guard_bits) {
+      shapes.push_back({is_floating, degree, guard_bits});
+    }
+  }
+  return shapes;
 }
 
 std::optional<Piecewise> search(const Wanted& wanted) {
   // A pole between two arguments may lie in no piece.
   if (!value(wanted.function, Interval(wanted.arguments())).is_bounded()) return std::nullopt;
   std::vector<Candidate> open;
-  const auto try_from = [&](bool is_floating, int degree, int address_bits) {
-    auto found = candidate(wanted, is_floating, degree, address_bits);
+  const auto try_from = [&](const Shape& shape, int address_bits) {
+    auto found = candidate(wanted, shape, address_bits);
     if (found) open.push_back(std::move(*found));
   };
   // A polynomial of a higher degree than a table's follows its corners no better.
   const bool is_table = wanted.function.kind() == Function::table;
   const int highest = is_table ? wanted.function.interpolation().degree() : most_degree;
   for (int degree = 0; degree <= highest; ++degree) {
-    try_from(false, degree, 0);
-    if (wanted.may_be_floating()) try_from(true, degree, 0);
+    for (const Shape& shape : shapes_of(wanted, degree)) try_from(shape, 0);
   }
   if (is_table) {
     if (auto pieces = wanted.between_points()) {
       open.emplace_back(wanted.function, wanted.arguments(), std::move(*pieces), highest,
-                        wanted.unit_exponent);
+                        most_guard_bits(highest), wanted.unit_exponent);
       if (!open.back().may_do()) open.pop_back();
     }
   }
   while (!open.empty()) {
-    const auto best = std::min_element(
-        open.begin(), open.end(),
-        [](const Candidate& a, const Candidate& b) { return a.area() < b.area(); });
+    const auto best =
+        std::min_element(open.begin(), open.end(), [&](const Candidate& a, const Candidate& b) {
+          return a.area(wanted.products) < b.area(wanted.products);
+        });
     if (auto made = best->certified()) return made;
-    const bool is_floating = best->is_floating(), has_starts = best->has_starts();
-    const int degree = best->degree(), address_bits = best->address_bits() + 1;
+    const Shape shape{best->is_floating(), best->degree(), best->guard_bits()};
+    const bool has_starts = best->has_starts();
+    const int address_bits = best->address_bits() + 1;
     open.erase(best);
-    if (!has_starts) try_from(is_floating, degree, address_bits);
+    if (!has_starts) try_from(shape, address_bits);
   }
   return std::nullopt;
 }
@@ -582,8 +633,8 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
 
 std::optional<Piecewise> approximate(const Function& function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
-                                     int unit_exponent) {
-  const Wanted wanted{function, argument, least, greatest, unit_exponent};
+                                     int unit_exponent, ProductKind products) {
+  const Wanted wanted{function, argument, least, greatest, unit_exponent, products};
   static Memo<Wanted, std::optional<Piecewise>> known;
   return *known.of(wanted, [&] { return search(wanted); });
 }

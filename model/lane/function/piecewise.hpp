@@ -87,13 +87,20 @@ struct Piecewise {
 /// The result of hardware for the argument X, in units of the result; X is one of the arguments.
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 
+/// What multiplies coefficients and t.
+enum class ProductKind {
+  embedded,  ///< the device's multiplier blocks
+  logic,     ///< rows of carry chains
+};
+
 /// A piecewise polynomial whose error is less than a unit of 2^unit_exponent, of the least area
 /// among degrees and numbers of pieces by a rough model. `arguments`: the least and the greatest
 /// X, in units of the format. None if the function has no value somewhere between them, or if more
 /// pieces would be needed than 2^most_address_bits. Equal calls are answered from memory.
 std::optional<Piecewise> approximate(const Function& function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
-                                     int unit_exponent);
+                                     int unit_exponent,
+                                     ProductKind products = ProductKind::embedded);
 
 inline constexpr int most_address_bits = 10;
 /// Each start costs a comparison.

@@ -216,6 +216,10 @@ Series polynomials(const Interpolation& table, const Interval& x, int count) {
   return y;
 }
 
+Interval mapped(const Interval& x, const AffineMap& map) {
+  return Interval(map.factor) * x + Interval(map.offset);
+}
+
 Interval log_of_two() {
   Interval constant;
   mpfi_const_log2(constant.get());
@@ -224,8 +228,15 @@ Interval log_of_two() {
 
 }  // namespace
 
-std::vector<Interval> taylor(const Function& function, const Interval& x, int count) {
+std::vector<Interval> taylor(const Function& function, const Interval& argument, int count) {
   MIXCMP_CHECK(count > 0);
+  const AffineMap& inner = function.inner();
+  if (!inner.is_identity()) {
+    Series y = taylor(function.outer(), mapped(argument, inner), count);
+    scale(y, inner.factor);
+    return y;
+  }
+  const Interval& x = argument;
   const Interval one = 1, first = value(function, x);
   switch (function.kind()) {
     case Function::exp: return exponential(first, one, count);
@@ -272,6 +283,11 @@ void scale(std::vector<Interval>& series, const mpq_class& slope) {
 }
 
 void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x) {
+  if (const AffineMap& inner = function.inner(); !inner.is_identity()) {
+    mpfi_mul_q(y, x, inner.factor.get_mpq_t());
+    mpfi_add_q(y, y, inner.offset.get_mpq_t());
+    return enclose(function.outer(), y, y);
+  }
   switch (function.kind()) {
     case Function::exp: mpfi_exp(y, x); return;
     case Function::exp2: mpfi_exp2(y, x); return;

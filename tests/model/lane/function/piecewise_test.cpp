@@ -22,6 +22,7 @@ namespace {
 using function::approximate;
 using function::evaluate;
 using function::Piecewise;
+using function::ProductKind;
 
 std::string describe(const Function& function, const Piecewise& piecewise,
                      const mpz_class& argument) {
@@ -84,12 +85,25 @@ std::vector<Arguments> ranges_of(const FixedFormat& format) {
   return all;
 }
 
+/// Maps of both directions, exact and not in binary.
+const std::vector<AffineMap> maps = {
+    {}, {.factor = -1}, {.factor = mpq_class(-1, 3), .offset = mpq_class(2, 7)}, {.offset = 1}};
+
+/// The function of a map's value. Lanes have no such tables of points.
+Function mapped(const Function& function, const AffineMap& map) {
+  return function.kind() == Function::table ? function : function.of(map);
+}
+
 /// The real arguments; they lie in the domain of the function.
 bool has_values(const Function& function, const Arguments& arguments) {
   const mpq_class unit = arguments.format.unit();
-  const Range real = {arguments.least * unit, arguments.greatest * unit};
-  if (const Domain accepted = domain(function); accepted.low) return accepted.contains(real.low);
-  return function != Function::tan || (real.low > mpq_class(-3, 2) && real.high < mpq_class(3, 2));
+  const Range argument = {arguments.least * unit, arguments.greatest * unit};
+  const Range real = function.inner().of(argument);
+  const Domain accepted = domain(function);
+  if (accepted.low && !accepted.contains(argument.low)) return false;
+  if (accepted.high && !accepted.contains(argument.high)) return function.kind() == Function::table;
+  return function.kind() != Function::tan ||
+         (real.low > mpq_class(-3, 2) && real.high < mpq_class(3, 2));
 }
 
 class EveryArgument : public testing::TestWithParam<Function> {};
@@ -109,16 +123,18 @@ TEST_P(EveryArgument, HasAResultWithinTheError) {
         const FixedFormat format = format_below(reaches[tables % 4], width, is_signed);
         const int unit_exponent = unit_exponents[tables % 3];
         const std::vector<Arguments> ranges = ranges_of(format);
-        if (range >= ranges.size() || !has_values(GetParam(), ranges[range])) continue;
+        const Function function = mapped(GetParam(), maps[tables / 3 % maps.size()]);
+        if (range >= ranges.size() || !has_values(function, ranges[range])) continue;
         const Arguments& arguments = ranges[range];
-        const auto piecewise =
-            approximate(GetParam(), format, arguments.least, arguments.greatest, unit_exponent);
+        const ProductKind products = tables % 5 < 3 ? ProductKind::embedded : ProductKind::logic;
+        const auto piecewise = approximate(function, format, arguments.least, arguments.greatest,
+                                           unit_exponent, products);
         // Otherwise a table may have a word for each argument.
         if (!piecewise && width > function::most_address_bits) continue;
         ASSERT_TRUE(piecewise) << format.name() << ", " << unit_exponent;
         expect_well_formed(*piecewise, unit_exponent);
         for (mpz_class x = arguments.least; x <= arguments.greatest; ++x) {
-          expect_right(GetParam(), *piecewise, x);
+          expect_right(function, *piecewise, x);
         }
         if (HasFailure()) return;
       }
@@ -272,6 +288,26 @@ TEST(Piecewise, OfEqualCallsIsEqual) {
   EXPECT_NE(first, of_sixty_fourths(Function::exp, -90, 91));
   EXPECT_NE(first, of_sixty_fourths(Function::exp2, -90, 90));
   EXPECT_NE(first, of_sixty_fourths(Function::exp, -90, 90, -9));
+  for (const AffineMap& inner : {AffineMap{.factor = -1}, AffineMap{.offset = mpq_class(1, 64)}}) {
+    EXPECT_NE(first, of_sixty_fourths(Function(Function::exp).of(inner), -90, 90));
+  }
+}
+
+/// A product of logic grows with t, a multiplier block does not.
+TEST(Piecewise, HasNoWiderFactorsInLogic) {
+  int narrower = 0;
+  for (int width = 13; width <= 22; ++width) {
+    const FixedFormat format = {.width = width, .unit_exponent = -width};
+    const auto bits_of_factors = [&](ProductKind products) {
+      const auto made = approximate(Function::exp, format, 0, format.largest(), -width, products);
+      return made->degree() * made->piece_bits;
+    };
+    const int logic = bits_of_factors(ProductKind::logic);
+    const int embedded = bits_of_factors(ProductKind::embedded);
+    EXPECT_LE(logic, embedded) << width;
+    narrower += logic < embedded;
+  }
+  EXPECT_GT(narrower, 0);
 }
 
 /// A coarse unit, as in a lane of few bits, needs no words of arguments that do not occur.

@@ -20,7 +20,7 @@ using function::Piecewise;
 constexpr int value_digits = 120;
 
 /// The arguments of docs/make_function_errors, of which a lane takes W bits.
-Range range_of(Function function) {
+Range range_of(Function::Kind function) {
   switch (function) {
     case Function::expm1:
     case Function::tan: return {-1, 1};
@@ -32,7 +32,7 @@ Range range_of(Function function) {
   }
 }
 
-class Sampled : public testing::TestWithParam<std::tuple<Function, int>> {
+class Sampled : public testing::TestWithParam<std::tuple<Function::Kind, int>> {
 protected:
   Sampled() {
     const auto [function, bits] = GetParam();

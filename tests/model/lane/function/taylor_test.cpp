@@ -49,7 +49,7 @@ std::vector<mpq_class> points_of(const Function& function) {
   for (const mpq_class& point : points) {
     if (accepted.contains(-point)) all.push_back(-point);
   }
-  if (!accepted.low || *accepted.low < 0) all.emplace_back(0);
+  if (!accepted.low || accepted.low->at < 0) all.emplace_back(0);
   return all;
 }
 
