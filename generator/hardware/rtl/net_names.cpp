@@ -69,12 +69,18 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
   return unless_too_long(spelled(operation, a, b), role(operation));
 }
 
-/// exp_c2, exp_t or exp_of_x.
+/// exp_c2, exp_t or exp_of_x; x_beyond, reached and piece where pieces begin at the points of a
+/// table.
 std::string name_in_function(const fixed::FixedNode& node, const std::string& argument) {
   // "table" is a keyword.
   const bool is_table = node.function->kind() == Function::table;
   const std::string function = is_table ? "points" : to_string(*node.function);
   const bool is_sign = node.function->kind() == Function::sign;
+  if (is_table && node.operation == Operation::add) return "piece";
+  if (is_table && node.operation == Operation::subtract) {
+    return node.format.is_signed ? argument + "_beyond" : function + "_t";
+  }
+  if (is_sign && node.words[1] == 0) return "reached";
   if (node.operation == Operation::look_up && !is_sign) {
     return node.power < 0 ? function + "_start" : fmt::format("{}_c{}", function, node.power);
   }
