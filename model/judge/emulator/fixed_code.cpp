@@ -330,8 +330,10 @@ private:
     const FixedNode& added = node(id);
     if (fixed::is_floating_code(added)) {
       const FixedFormat& number = node(added.operands[0]).format;
-      const int offset = function::FloatingCode{number.width}.offset() - number.unit_exponent;
-      add_unary(FixedKernel::floating, id, added.operands[0]).low = offset - 1;
+      const int of_zero = function::FloatingCode{number.width}.offset() - 1;
+      FixedInstruction& made = add_unary(FixedKernel::floating, id, added.operands[0]);
+      made.low = of_zero - number.unit_exponent;
+      made.high = of_zero;
       return;
     }
     if (added.conversion == fixed::Conversion::place) {

@@ -193,9 +193,9 @@ HWY_INLINE Vec look_up(const std::vector<double>& words, Vec integer) {
   return hn::MulAdd(integer, hn::Zero(Tag()), word);
 }
 
-/// e + m + offset for a = 2^e m with 1 <= m < 2; a NaN for a NaN. An integer below 2^52 joined to
-/// the bits of 2^52 is their sum.
-HWY_INLINE Vec floating_code(Vec a, Vec offset) {
+/// e + m + offset for a = 2^e m with 1 <= m < 2, of_zero for 0; a NaN for a NaN. An integer below
+/// 2^52 joined to the bits of 2^52 is their sum.
+HWY_INLINE Vec floating_code(Vec a, Vec offset, Vec of_zero) {
   const Vec one = hn::Set(Tag(), 1), large = hn::Set(Tag(), 0x1p52);
   const Words words;
   const auto bits = hn::BitCast(words, a);
@@ -203,7 +203,8 @@ HWY_INLINE Vec floating_code(Vec a, Vec offset) {
   const Vec significand = hn::BitCast(Tag(), hn::Or(fraction, hn::BitCast(words, one)));
   const auto biased = hn::Or(hn::ShiftRight<52>(bits), hn::BitCast(words, large));
   const Vec exponent = hn::Sub(hn::BitCast(Tag(), biased), hn::Set(Tag(), 0x1p52 + 1023));
-  return hn::MulAdd(a, hn::Zero(Tag()), hn::Add(hn::Add(exponent, offset), significand));
+  const Vec code = hn::MulAdd(a, hn::Zero(Tag()), hn::Add(hn::Add(exponent, offset), significand));
+  return hn::IfThenElse(hn::Eq(a, hn::Zero(Tag())), of_zero, code);
 }
 
 /// Minimum and maximum keep a NaN in either operand; those of processors do not.
@@ -282,7 +283,8 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
     }
     case FixedKernel::floating: {
       const Vec offset = hn::Set(Tag(), instruction.low);
-      return each([&](Vec a, Vec) HWY_ATTR { return floating_code(a, offset); });
+      const Vec of_zero = hn::Set(Tag(), instruction.high);
+      return each([&](Vec a, Vec) HWY_ATTR { return floating_code(a, offset, of_zero); });
     }
     case FixedKernel::look_up: {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);

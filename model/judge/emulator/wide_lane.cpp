@@ -309,8 +309,8 @@ private:
       return true;
     }
     if (node.conversion == fixed::Conversion::floating) {
-      value = operands[0] > 0 ? floating_code(node, operands[0]) : 0;
-      return operands[0] > 0;
+      value = operands[0] >= 0 ? floating_code(node, operands[0]) : 0;
+      return operands[0] >= 0;
     }
     value = shifted(result(node.operation, operands[0], operands[1]), -node.dropped_bits);
     if (node.conversion == fixed::Conversion::place) value &= power_of_two(node.format.width) - 1;
@@ -321,6 +321,7 @@ private:
   /// Computes what function::FloatingCode::of does.
   static Wide floating_code(const Node& node, Wide number) {
     const function::FloatingCode code{node.argument_bits};
+    if (number == 0) return Wide(code.offset() - 1) << code.fraction_bits();
     int exponent = 0;
     while ((number >> exponent) > 1) ++exponent;
     const Wide field = exponent + code.offset() - 1;

@@ -141,7 +141,7 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
   if (node.operation == Operation::look_up) return word_of(node, nodes, operands[0]);
   if (fixed::is_floating_code(node)) {
     const function::FloatingCode code{nodes[node.operands[0]].format.width};
-    return operands[0] > 0 ? Integer(code.of(operands[0])) : std::nullopt;
+    return operands[0] >= 0 ? Integer(code.of(operands[0])) : std::nullopt;
   }
   if (node.conversion == fixed::Conversion::place) {
     return low_bits(operands[0], node.format.width);

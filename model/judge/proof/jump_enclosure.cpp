@@ -61,14 +61,14 @@ public:
       fixed::narrow(value, difference({moved.low, divisor_ + moved.high}, off));
     }
     value = multiples_in(value, nodes_[difference_].format.unit());
-    if (!is_exact) {
-      if (difference_ == function_.result) return std::nullopt;
+    const bool is_limited = difference_ != function_.result;
+    if (is_limited) {
       inside_[difference_] = value;
       value = within_limits(value);
-      const bool keeps_away =
-          value.low + off.low >= error.high && value.high + off.high < divisor_ + error.low;
-      if (!keeps_away) return std::nullopt;
     }
+    const bool keeps_away = is_limited && value.low + off.low >= error.high &&
+                            value.high + off.high < divisor_ + error.low;
+    if (!is_exact && !keeps_away) return std::nullopt;
     enclose_inside(argument_.value);
     return FunctionEnclosure{.value = value,
                              .error = difference(argument_.error, off),

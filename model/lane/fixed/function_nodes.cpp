@@ -47,7 +47,8 @@ std::optional<Range> moved_by(const Function& function, const Range& computed, c
   std::optional<Range> moved;
   if (series.back().is_bounded()) moved = product(series.back().range(), error);
   if (is_subadditive(function)) {
-    const Range most = function::value(function, Interval(absolute(error).high)).range();
+    const mpq_class furthest = abs(function.inner().factor) * absolute(error).high;
+    const Range most = function::value(function.outer(), Interval(furthest)).range();
     if (!moved) moved = {-most.high, most.high};
     narrow(*moved, {-most.high, most.high});
   }

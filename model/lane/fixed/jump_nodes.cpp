@@ -115,7 +115,12 @@ Result<NodeId> FixedGraphBuilder::whole_quotient(NodeId id, const Function& func
     const NodeId multiple = add(itself(std::move(whole)));
     whole = exactly(Operation::add, multiple, constant(reciprocal->offset, -reciprocal->shift));
   }
-  drop_bits(whole, -whole.format.unit_exponent);
+  const int dropped = -whole.format.unit_exponent;
+  if (whole.format.width < dropped + format_of(count, 0).width) {
+    return refused(id, "the divisor is larger than the argument's range",
+                   "a smaller divisor, or the argument itself where it is not below 0");
+  }
+  drop_bits(whole, dropped);
   whole.value = count;
   whole.error = {0, 0};
   whole.format = format_of(count, 0);

@@ -32,7 +32,8 @@ constexpr double luts_of_block = 40;
 /// two bits more than the wider one in each.
 double product_luts(ProductKind kind, int a_bits, int b_bits) {
   if (kind == ProductKind::embedded) return luts_of_block;
-  return 1.08 * (std::min(a_bits, b_bits) / 2 + 2) * (std::max(a_bits, b_bits) + 2);
+  const int rows = std::min(a_bits, b_bits) / 2 + 2;
+  return 1.08 * rows * (std::max(a_bits, b_bits) + 2);
 }
 
 /// Look-up tables of six inputs for so many words from `least` to `greatest`, which follow a smooth
@@ -340,9 +341,9 @@ std::vector<mpz_class> completed(std::vector<std::optional<mpz_class>> table) {
 class Candidate {
 public:
   /// `arguments`: those of the pieces, as numbers.
-  Candidate(const Function& function, Range arguments, Pieces pieces, int degree, int guard_bits,
+  Candidate(Function function, Range arguments, Pieces pieces, int degree, int guard_bits,
             int unit_exponent)
-      : function_(function),
+      : function_(std::move(function)),
         arguments_(std::move(arguments)),
         pieces_(std::move(pieces)),
         degree_(degree),

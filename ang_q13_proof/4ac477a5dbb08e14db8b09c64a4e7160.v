@@ -1,0 +1,242 @@
+Require Import Gappa.Gappa_library.
+Section Generated_by_Gappa.
+Variable _x35 : R.
+Variable _x36 : R.
+Notation _c := ((_x35 * _x36)%R).
+Variable _e35 : R.
+Notation r6 := ((_x35 - _e35)%R).
+Variable _e36 : R.
+Notation r8 := ((_x36 - _e36)%R).
+Notation _t := ((r6 * r8)%R).
+Notation r1 := ((_c - _t)%R).
+Notation r12 := ((_x35 * _e36)%R).
+Notation r13 := ((_x36 * _e35)%R).
+Notation r11 := ((r12 + r13)%R).
+Notation r14 := ((_e35 * _e36)%R).
+Notation r10 := ((r11 - r14)%R).
+Hypothesis a1 : r1 = r10.
+Lemma b1 : r1 = r10.
+ apply a1.
+Qed.
+Definition f1 := Float2 (-1) (-13).
+Definition f2 := Float2 (12869) (-13).
+Definition i1 := makepairF f1 f2.
+Notation p1 := (BND _x35 i1). (* BND(x35, [-0.00012207, 1.57092]) *)
+Definition f3 := Float2 (-28415055321533365823200035112624884653667102960908534821307) (-206).
+Definition f4 := Float2 (61047440385433288710221545355215841979774675184710981077745) (-207).
+Definition i2 := makepairF f3 f4.
+Notation p2 := (BND _e35 i2). (* BND(e35, [-0.000276293, 0.000296796]) *)
+Definition s4 := (p1 /\ p2).
+Definition f5 := Float2 (-1) (0).
+Definition f6 := Float2 (1) (0).
+Definition i3 := makepairF f5 f6.
+Notation p3 := (BND _x36 i3). (* BND(x36, [-1, 1]) *)
+Definition s3 := (s4 /\ p3).
+Definition f7 := Float2 (0) (0).
+Definition i4 := makepairF f7 f7.
+Notation p4 := (BND _e36 i4). (* BND(e36, [0, 0]) *)
+Definition s2 := (s3 /\ p4).
+Definition f8 := Float2 (-12869) (-13).
+Definition i5 := makepairF f8 f2.
+Notation p5 := (BND _c i5). (* BND(c, [-1.57092, 1.57092]) *)
+Definition s6 := (not p5).
+Definition f9 := Float2 (-61047440385433288710221545355215841979774675184710981077745) (-207).
+Definition i6 := makepairF f9 f4.
+Notation p6 := (BND r1 i6). (* BND(c - t, [-0.000296796, 0.000296796]) *)
+Definition s7 := (not p6).
+Definition s5 := (s6 \/ s7).
+Definition s1 := (s2 /\ s5).
+Lemma l3 : s1 -> s5.
+Proof.
+ intros h0.
+ assert (h1 := h0).
+ exact (proj2 h1).
+Qed.
+Lemma l8 : s1 -> s2.
+Proof.
+ intros h0.
+ assert (h1 := h0).
+ exact (proj1 h1).
+Qed.
+Lemma l7 : s1 -> s3.
+Proof.
+ intros h0.
+ assert (h1 := l8 h0).
+ exact (proj1 h1).
+Qed.
+Lemma l6 : s1 -> s4.
+Proof.
+ intros h0.
+ assert (h1 := l7 h0).
+ exact (proj1 h1).
+Qed.
+Lemma l5 : s1 -> p1 (* BND(x35, [-0.00012207, 1.57092]) *).
+Proof.
+ intros h0.
+ assert (h1 := l6 h0).
+ exact (proj1 h1).
+Qed.
+Lemma l9 : s1 -> p3 (* BND(x36, [-1, 1]) *).
+Proof.
+ intros h0.
+ assert (h1 := l7 h0).
+ exact (proj2 h1).
+Qed.
+Definition i7 := makepairF f5 f2.
+Notation p7 := (BND _x35 i7). (* BND(x35, [-1, 1.57092]) *)
+Lemma t1 : p7 -> p3 -> p5.
+Proof.
+ intros h0 h1.
+ refine (mul_oo _x35 _x36 i7 i3 i5 h0 h1 _) ; finalize.
+Qed.
+Lemma l4 : s1 -> p5 (* BND(c, [-1.57092, 1.57092]) *).
+Proof.
+ intros h0.
+ assert (h1 := l5 h0).
+ assert (h2 := l9 h0).
+ apply t1. refine (subset _x35 i1 i7 h1 _) ; finalize. exact h2.
+Qed.
+Lemma l2 : s1 -> s7.
+Proof.
+ intros h0.
+ assert (h1 := l3 h0).
+ assert (h2 := l4 h0).
+ refine (simplify (Ttree false (Tatom false (Abnd 0%nat i5)) (Tatom false (Abnd 1%nat i6))) (Tatom false (Abnd 1%nat i6)) (Abnd 0%nat i5) (List.cons _c (List.cons r1 List.nil)) h2 h1 _) ; finalize.
+Qed.
+Notation p8 := (BND r10 i6). (* BND(x35 * e36 + x36 * e35 - e35 * e36, [-0.000296796, 0.000296796]) *)
+Notation p9 := (BND r11 i6). (* BND(x35 * e36 + x36 * e35, [-0.000296796, 0.000296796]) *)
+Notation p10 := (BND r12 i4). (* BND(x35 * e36, [0, 0]) *)
+Lemma l14 : s1 -> p4 (* BND(e36, [0, 0]) *).
+Proof.
+ intros h0.
+ assert (h1 := l8 h0).
+ exact (proj2 h1).
+Qed.
+Definition f10 := Float2 (1) (1).
+Definition i8 := makepairF f5 f10.
+Notation p11 := (BND _x35 i8). (* BND(x35, [-1, 2]) *)
+Lemma t2 : p11 -> p4 -> p10.
+Proof.
+ intros h0 h1.
+ refine (mul_op _x35 _e36 i8 i4 i4 h0 h1 _) ; finalize.
+Qed.
+Lemma l13 : s1 -> p10 (* BND(x35 * e36, [0, 0]) *).
+Proof.
+ intros h0.
+ assert (h1 := l5 h0).
+ assert (h2 := l14 h0).
+ apply t2. refine (subset _x35 i1 i8 h1 _) ; finalize. exact h2.
+Qed.
+Notation p12 := (BND r13 i6). (* BND(x36 * e35, [-0.000296796, 0.000296796]) *)
+Lemma l16 : s1 -> p2 (* BND(e35, [-0.000276293, 0.000296796]) *).
+Proof.
+ intros h0.
+ assert (h1 := l6 h0).
+ exact (proj2 h1).
+Qed.
+Definition f11 := Float2 (-19) (-16).
+Definition i9 := makepairF f11 f4.
+Notation p13 := (BND _e35 i9). (* BND(e35, [-0.000289917, 0.000296796]) *)
+Lemma t3 : p3 -> p13 -> p12.
+Proof.
+ intros h0 h1.
+ refine (mul_oo _x36 _e35 i3 i9 i6 h0 h1 _) ; finalize.
+Qed.
+Lemma l15 : s1 -> p12 (* BND(x36 * e35, [-0.000296796, 0.000296796]) *).
+Proof.
+ intros h0.
+ assert (h1 := l9 h0).
+ assert (h2 := l16 h0).
+ apply t3. exact h1. refine (subset _e35 i2 i9 h2 _) ; finalize.
+Qed.
+Lemma t4 : p10 -> p12 -> p9.
+Proof.
+ intros h0 h1.
+ refine (add r12 r13 i4 i6 i6 h0 h1 _) ; finalize.
+Qed.
+Lemma l12 : s1 -> p9 (* BND(x35 * e36 + x36 * e35, [-0.000296796, 0.000296796]) *).
+Proof.
+ intros h0.
+ assert (h1 := l13 h0).
+ assert (h2 := l15 h0).
+ apply t4. exact h1. exact h2.
+Qed.
+Notation p14 := (BND r14 i4). (* BND(e35 * e36, [0, 0]) *)
+Notation p15 := (BND _e35 i3). (* BND(e35, [-1, 1]) *)
+Lemma t5 : p15 -> p4 -> p14.
+Proof.
+ intros h0 h1.
+ refine (mul_op _e35 _e36 i3 i4 i4 h0 h1 _) ; finalize.
+Qed.
+Lemma l17 : s1 -> p14 (* BND(e35 * e36, [0, 0]) *).
+Proof.
+ intros h0.
+ assert (h1 := l16 h0).
+ assert (h2 := l14 h0).
+ apply t5. refine (subset _e35 i2 i3 h1 _) ; finalize. exact h2.
+Qed.
+Lemma t6 : p9 -> p14 -> p8.
+Proof.
+ intros h0 h1.
+ refine (sub r11 r14 i6 i4 i6 h0 h1 _) ; finalize.
+Qed.
+Lemma l11 : s1 -> p8 (* BND(x35 * e36 + x36 * e35 - e35 * e36, [-0.000296796, 0.000296796]) *).
+Proof.
+ intros h0.
+ assert (h1 := l12 h0).
+ assert (h2 := l17 h0).
+ apply t6. exact h1. exact h2.
+Qed.
+Notation p16 := (REL r1 r10 i4). (* REL(c - t, x35 * e36 + x36 * e35 - e35 * e36, [0, 0]) *)
+Notation p17 := (r1 = r10). (* EQL(c - t, x35 * e36 + x36 * e35 - e35 * e36) *)
+Lemma t7 : p17.
+Proof.
+ refine (b1) ; finalize.
+Qed.
+Lemma l19 : s1 -> p17 (* EQL(c - t, x35 * e36 + x36 * e35 - e35 * e36) *).
+Proof.
+ intros h0.
+ apply t7.
+Qed.
+Notation p18 := (REL r10 r10 i4). (* REL(x35 * e36 + x36 * e35 - e35 * e36, x35 * e36 + x36 * e35 - e35 * e36, [0, 0]) *)
+Lemma t8 : p18.
+Proof.
+ refine (rel_refl r10 i4 _) ; finalize.
+Qed.
+Lemma l20 : s1 -> p18 (* REL(x35 * e36 + x36 * e35 - e35 * e36, x35 * e36 + x36 * e35 - e35 * e36, [0, 0]) *).
+Proof.
+ intros h0.
+ apply t8.
+Qed.
+Lemma t9 : p17 -> p18 -> p16.
+Proof.
+ intros h0 h1.
+ refine (rel_rewrite_1 r1 r10 r10 i4 h0 h1) ; finalize.
+Qed.
+Lemma l18 : s1 -> p16 (* REL(c - t, x35 * e36 + x36 * e35 - e35 * e36, [0, 0]) *).
+Proof.
+ intros h0.
+ assert (h1 := l19 h0).
+ assert (h2 := l20 h0).
+ apply t9. exact h1. exact h2.
+Qed.
+Lemma t10 : p8 -> p16 -> p6.
+Proof.
+ intros h0 h1.
+ refine (bnd_of_bnd_rel_o r1 r10 i6 i4 i6 h0 h1 _) ; finalize.
+Qed.
+Lemma l10 : s1 -> p6 (* BND(c - t, [-0.000296796, 0.000296796]) *).
+Proof.
+ intros h0.
+ assert (h1 := l11 h0).
+ assert (h2 := l18 h0).
+ apply t10. exact h1. exact h2.
+Qed.
+Lemma l1 : s1 -> False.
+Proof.
+ intros h0.
+ assert (h1 := l2 h0).
+ assert (h2 := l10 h0).
+ refine (simplify (Tatom false (Abnd 0%nat i6)) Tfalse (Abnd 0%nat i6) (List.cons r1 List.nil) h2 h1 _) ; finalize.
+Qed.
+End Generated_by_Gappa.
