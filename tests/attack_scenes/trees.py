@@ -3,7 +3,8 @@
 A tree is a tuple: an operation and its operands.
 
     ("input", "a") ("element", "p", tree) ("constant", "0x1.8p-3") ("let", "d") ("index", "k")
-    ("neg", x) ("abs", x) ("sqrt", x) ("exp", x) ("^", x, 3) ("+", x, y) ("-", x, y) ("*", x, y) ("/", x, y)
+    ("neg", x) ("abs", x) ("sqrt", x) ("exp", x) ("^", x, 3) ("+", x, y)
+    ("-", x, y) ("*", x, y) ("/", x, y)
     ("min", x, y, ...) ("max", ...) ("sum", ...) ("product", ...) ("within", x, "-4", "4")
     ("over", "sum", "k", 0, 2, x) ("power", x, "-1/3") ("sign", x) ("mod", x, "360") ("atan2", y, x)
     ("table", x, "0,1;0.5,2;1,0", 1), whose points stand in a file beside the scene
