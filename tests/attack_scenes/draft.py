@@ -2,13 +2,12 @@
 
 import random
 
-from .elementary import FUNCTIONS
 from .expressions import Expressions, candidates_for_let, name
 from .function_sides import FunctionSides
 from .rounded import INFINITE, NAN, Format, Reference, number
 from .rows import FixedOperands, Operands, draw_items, draw_rows
 from .scene import Scene, float_format, item_column
-from .trees import dyadic_text, exchanged, literal, replaced, subtrees
+from .trees import IRRATIONAL, dyadic_text, exchanged, literal, replaced, subtrees
 
 NAMES = ("a", "b", "c", "d", "e", "u", "v", "w", "x", "z")
 PRECISIONS = (11, 11, 12, 12, 13, 14, 15, 16, 17, 18, 20, 23, 24, 25)
@@ -197,7 +196,7 @@ class Draft:
         return f, made.over(vectors, count) if self.chance(0.4) else made.any(self.operations())
 
     def sides_functions(self):
-        f, g = FunctionSides(self.rng, self.leaves, self.range_of).drawn()
+        f, g = FunctionSides(self.rng, self.leaves, self.range_of, bool(self.fixed)).drawn()
         return (f, g) if self.scene.pairs == "arg_min" or self.chance(0.6) else (g, f)
 
     def range_of(self, word):
@@ -227,7 +226,7 @@ class Draft:
 
     def cost(self):
         """The size of the hardware; 1 is a size that Icarus simulates in a second or two."""
-        weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3, **dict.fromkeys(FUNCTIONS, 6)}
+        weights = {"input": 0, "constant": 0, **dict.fromkeys(IRRATIONAL, 6), "/": 3, "sqrt": 3}
         units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
         datapaths = self.scene.lane_count() / 2 + self.scene.get("system", "references", 2)
         return units * datapaths / max(6, min(30, 700 / self.precision()))

@@ -50,7 +50,7 @@ def at(function, x, bits):
         value, error = _angle(function, x, bits), Fraction(1, 1 << bits)
     else:
         digits = bits * 31 // 100 + 40
-        value = _decimal(function, x, digits)
+        value = decimal_value(function, x, digits)
         error = (abs(value) + 1) / 10 ** (digits - 20)  # a few roundings, at arguments up to MOST
     return value - error, value + error
 
@@ -84,13 +84,16 @@ def _angle(function, x, bits):
     return Fraction(sine if function == "sin" else cosine, one)
 
 
-def _decimal(function, x, digits):
+def decimal_value(function, x, digits, power=1):
     context = decimal.Context(prec=digits, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN)
     with decimal.localcontext(context):
         d = decimal.Decimal
         a, one, two = d(x.numerator) / d(x.denominator), d(1), d(2)
         if function == "atan":
             value = _arctangent(a)
+        elif function == "power":
+            value = ((d(x.numerator) / d(x.denominator)).ln() * power.numerator
+                     / power.denominator).exp()
         elif function == "exp2":
             value = (a * two.ln()).exp()
         elif function in ("log", "log2", "log1p"):

@@ -3,7 +3,9 @@
 import math
 from fractions import Fraction
 
+from . import further
 from .elementary import FUNCTIONS, Undefined, Undetermined, enclosed
+from .further import PARAMETRIC
 from .rounded import exponent_of, is_finite, value_of
 
 PRECISIONS = (300, 2000, 8000)  # bits of an enclosure, tried in turn
@@ -57,8 +59,9 @@ def _value(graph, index, inputs, bits, values):
             # All operands are computed, as any of them may have no value.
             operands = [_value(graph, operand, inputs, bits, values) for operand in node.operands]
             if node.operation == "*" and len(set(node.operands)) == 1:
-                operands = [_applied("abs", operands[:1], bits)] * 2
-            values[index] = _widened(_applied(node.operation, operands, bits), bits)
+                operands = [_applied("abs", None, operands[:1], bits)] * 2
+            apply = further.applied if node.operation in PARAMETRIC else _applied
+            values[index] = _widened(apply(node.operation, node.value, operands, bits), bits)
     return values[index]
 
 
@@ -77,7 +80,7 @@ def _rounded(value, bits, direction):
     return direction(value / place) * place
 
 
-def _applied(operation, operands, bits):
+def _applied(operation, _, operands, bits):
     low, high = operands[0]
     if operation == "neg":
         return -high, -low

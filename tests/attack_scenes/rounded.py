@@ -8,8 +8,7 @@ import dataclasses
 import math
 from fractions import Fraction
 
-from .elementary import FUNCTIONS, nearly
-from .trees import is_power_of_two, literal
+from .trees import IRRATIONAL, is_power_of_two, literal, nearly
 
 INFINITE = "infinite"
 NAN = None
@@ -152,12 +151,12 @@ def square_root(form, a):
     return form.rounded(False, Fraction(eighths, 8) * place)
 
 
-def function_near(form, function, a):
+def function_near(form, node, operands):
     """A function's value by doubles: only rows are drawn by it, since no format in floating point
     computes functions."""
     try:
-        value = Fraction(nearly(function, float(value_of(a))))
-    except (ArithmeticError, TypeError, ValueError):  # a is no number, or has no finite value
+        value = Fraction(nearly(node, *(float(value_of(operand)) for operand in operands)))
+    except (ArithmeticError, TypeError, ValueError):  # no numbers, or no finite value
         return NAN
     return form.rounded(value < 0, abs(value))
 
@@ -222,8 +221,6 @@ def apply(form, operation, operands):
         return NAN if operands[0] is NAN else (False, operands[0][1])
     if operation == "sqrt":
         return square_root(form, operands[0])
-    if operation in FUNCTIONS:
-        return function_near(form, operation, operands[0])
     a, b = operands
     if operation == "+":
         return add(form, a, b)
@@ -276,6 +273,8 @@ class Reference:
             total = cut_sum(self.form, self._numbers(self.fused[index], inputs, values))
             return self.form.rounded(*total) if is_finite(total) else total
         operands = [self._value(operand, inputs, values) for operand in node.operands]
+        if node.operation in IRRATIONAL and node.operation != "sqrt":
+            return function_near(self.form, node, operands)
         return apply(self.form, node.operation, operands)
 
     def _numbers(self, terms, inputs, values):

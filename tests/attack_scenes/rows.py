@@ -4,9 +4,8 @@ import dataclasses
 from fractions import Fraction
 import math
 
-from .elementary import FUNCTIONS, nearly
 from .rounded import TWO, exponent_of, number
-from .trees import dyadic_text, fold, literal
+from .trees import IRRATIONAL, dyadic_text, fold, literal, nearly
 
 DECIMALS = ("0.1", "1.3", "-2.7", "0.3333", "1e-3", "-0.7", "3.14159265358979", "5e-7")
 
@@ -225,7 +224,7 @@ def estimate(graph, inputs):
             elif node.operation == "constant":
                 values[index] = as_float(node.value)
             else:
-                values[index] = apply(node.operation, *map(value, node.operands))
+                values[index] = apply(node, *map(value, node.operands))
         return values[index]
 
     try:
@@ -235,10 +234,10 @@ def estimate(graph, inputs):
     return f - g if math.isfinite(f - g) else None
 
 
-def apply(operation, a, b=0.0):
-    if operation in FUNCTIONS:
-        return nearly(operation, a)
-    return math.sqrt(a) if operation == "sqrt" else fold(operation, a, b)
+def apply(node, a, b=0.0):
+    if node.operation in IRRATIONAL:
+        return nearly(node, a, b) if node.operation == "atan2" else nearly(node, a)
+    return fold(node.operation, a, b)
 
 
 def draw_rows(operands, reference, names, count):

@@ -6,7 +6,7 @@ import fnmatch
 import re
 
 from .rounded import Format, number
-from .trees import Graph, literal, reads, text
+from .trees import Graph, literal, reads, subtrees, table_file, text
 
 NAMED_FORMATS = {"binary16": (11, 5), "bfloat16": (8, 8), "binary32": (24, 8), "binary64": (53, 11),
                  "binary128": (113, 15), "E5M2": (3, 5)}
@@ -103,6 +103,12 @@ class Scene:
                     waiting.append(let)
         return used
 
+    def tables(self):
+        """The files of points that f and g need, and what they hold."""
+        sides = [*(side for part in self.parts for side in part), *self.used_lets().values()]
+        return {table_file(tree): "x,y\n" + tree[2].replace(";", "\n") + "\n"
+                for side in sides for _, tree in subtrees(side) if tree[0] == "table"}
+
     def pruned(self):
         """The scene without lets, ranges and columns that nothing reads any more."""
         pruned = self.copy()
@@ -141,6 +147,8 @@ class Scene:
         (folder / "rows.csv").write_text(_csv(self.rows))
         if self.others:
             (folder / "others.csv").write_text(_csv(self.others))
+        for name, points in self.tables().items():
+            (folder / name).write_text(points)
 
 
 def _mentions(tree, let):

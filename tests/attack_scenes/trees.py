@@ -3,22 +3,27 @@
 A tree is a tuple: an operation and its operands.
 
     ("input", "a") ("element", "p", tree) ("constant", "0x1.8p-3") ("let", "d") ("index", "k")
-    ("neg", x) ("abs", x) ("sqrt", x) ("exp", x) ("^", x, 3) ("+", x, y) ("-", x, y) ("*", x, y) ("/", x, y)
+    ("neg", x) ("abs", x) ("sqrt", x) ("exp", x) ("^", x, 3) ("+", x, y)
+    ("-", x, y) ("*", x, y) ("/", x, y)
     ("min", x, y, ...) ("max", ...) ("sum", ...) ("product", ...) ("within", x, "-4", "4")
-    ("over", "sum", "k", 0, 2, x)
+    ("over", "sum", "k", 0, 2, x) ("power", x, "-1/3") ("sign", x) ("mod", x, "360") ("atan2", y, x)
+    ("table", x, "0,1;0.5,2;1,0", 1), whose points stand in a file beside the scene
 
 Graphs follow docs/scene_file.md, "Expressions": constants are folded exactly, equal subexpressions
 are one node, powers are squares and products, reductions are joined pairwise.
 """
 
 import dataclasses
+import math
+import zlib
 from fractions import Fraction
 
+from . import elementary, further
 from .elementary import FUNCTIONS
 
-LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "^": 4}
+LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "^": 4, "power": 4}
 REDUCED_BY = {"sum": "+", "product": "*", "min": "min", "max": "max"}
-IRRATIONAL = ("sqrt", *FUNCTIONS)
+IRRATIONAL = ("sqrt", *FUNCTIONS, *further.PARAMETRIC)  # constants are not folded
 COMMUTATIVE = ("+", "*", "min", "max")
 
 
@@ -55,6 +60,12 @@ def text(tree, least=0):
         written = "-" + text(operands[0], 3)
     elif operation == "^":
         written = f"{text(operands[0], 5)}^{operands[1]}"
+    elif operation == "power":
+        written = f"{text(operands[0], 5)}^({operands[1]})"
+    elif operation == "mod":
+        written = f"mod({text(operands[0])}, {operands[1]})"
+    elif operation == "table":
+        written = f"table('{table_file(tree)}', {text(operands[0])}, {operands[2]})"
     elif operation in LEVELS:
         written = f"{text(operands[0], level)} {operation} {text(operands[1], level + 1)}"
     elif operation == "within":
@@ -65,6 +76,18 @@ def text(tree, least=0):
     else:
         written = f"{operation}({', '.join(text(operand) for operand in operands)})"
     return f"({written})" if level < least else written
+
+
+def table_file(tree):
+    return f"points{zlib.crc32(tree[2].encode())}.csv"
+
+
+def parameter_of(tree):
+    """What a function takes beside its operands (further.py); None for most operations."""
+    operation, *rest = tree
+    if operation == "table":
+        return further.points_of(rest[1]), rest[2]
+    return literal(rest[1]) if operation in ("power", "mod") else None
 
 
 def children(tree):
@@ -106,9 +129,9 @@ def reads(tree, operation):
 
 @dataclasses.dataclass(frozen=True)
 class Node:
-    operation: str  # input, constant, neg, abs, sqrt, +, -, *, /, min, max, FUNCTIONS
+    operation: str  # input, constant, neg, abs, +, -, *, /, min, max, IRRATIONAL
     operands: tuple = ()  # indices of nodes
-    value: object = None  # an input's name, a constant's value
+    value: object = None  # an input's name, a constant's value, a function's parameter
 
 
 class Graph:
@@ -155,7 +178,7 @@ class Graph:
         """The node of a result of _built; a constant gets one when an operation reads it."""
         return built if isinstance(built, int) else self._intern("constant", (), built)
 
-    def _applied(self, operation, *built):
+    def _applied(self, operation, *built, parameter=None):
         if all(isinstance(value, Fraction) for value in built) and operation not in IRRATIONAL:
             return fold(operation, *built)
         divisor = built[-1]
@@ -164,7 +187,7 @@ class Graph:
         operands = tuple(self._node(value) for value in built)
         if operation in COMMUTATIVE:
             operands = tuple(sorted(operands))
-        return self._intern(operation, operands)
+        return self._intern(operation, operands, parameter)
 
     def _joined(self, operation, values):
         while len(values) > 1:
@@ -201,10 +224,10 @@ class Graph:
             function, index, first, last, term = operands
             values = [self._built(term, {**indices, index: k}) for k in range(first, last + 1)]
             return self._joined(REDUCED_BY[function], values)
-        values = [self._built(operand, indices) for operand in operands]
+        values = [self._built(tree[place], indices) for place in children(tree)]
         if operation in REDUCED_BY:
             return self._joined(REDUCED_BY[operation], values)
-        return self._applied(operation, *values)
+        return self._applied(operation, *values, parameter=parameter_of(tree))
 
 
 def is_power_of_two(value):
@@ -225,3 +248,12 @@ def fold(operation, a, b=None):
     if operation == "/":
         return a / b
     return min(a, b) if operation == "min" else max(a, b)
+
+
+def nearly(node, *operands):
+    """A node's value in doubles, of operations that are not folded."""
+    if node.operation == "sqrt":
+        return math.sqrt(*operands)
+    if node.operation in FUNCTIONS:
+        return elementary.nearly(node.operation, *operands)
+    return further.nearly(node.operation, node.value, *operands)
