@@ -223,20 +223,17 @@ bool can_decide(const fixed::FixedLane& lane) {
   });
 }
 
-function::ProductKind products_of(scene::Multipliers multipliers) {
-  return multipliers == scene::Multipliers::embedded ? function::ProductKind::embedded
-                                                     : function::ProductKind::logic;
-}
-
 Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                            const scene::ReducedSpec& reduced) {
   MIXCMP_DO(check_fixed_bound(reduced));
-  const fixed::FixedOptions options{.format = *reduced.fixed_point,
-                                    .bound = reduced.error_bound,
-                                    .ranges = scene.ranges,
-                                    .grids = scene.grids,
-                                    .operand_formats = scene.operand_formats,
-                                    .products = products_of(reduced.multipliers)};
+  const bool is_embedded = reduced.multipliers == scene::Multipliers::embedded;
+  const fixed::FixedOptions options{
+      .format = *reduced.fixed_point,
+      .bound = reduced.error_bound,
+      .ranges = scene.ranges,
+      .grids = scene.grids,
+      .operand_formats = scene.operand_formats,
+      .products = is_embedded ? function::ProductKind::embedded : function::ProductKind::logic};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());

@@ -10,6 +10,7 @@
 #include "model/base/common/nearest.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/base/number/literal.hpp"
+#include "model/comparison/expression/callable.hpp"
 #include "model/comparison/expression/failure.hpp"
 #include "model/comparison/expression/name.hpp"
 #include "model/comparison/expression/syntax.hpp"
@@ -28,59 +29,6 @@ constexpr std::size_t max_nodes = 4096;
 constexpr long max_terms = max_nodes;
 // The greatest value of an index or a subscript.
 constexpr long max_integer = 999'999;
-
-/// A function that texts may call.
-struct Callable {
-  enum class Arguments {
-    one,
-    two_or_more,        ///< or an index
-    value_and_limits,   ///< a value, its least and its greatest
-    value_and_divisor,  ///< a value and a constant above 0
-    y_and_x,            ///< coordinates
-    file_and_value,     ///< a file, a value, and a degree if that is not 1
-  };
-
-  std::string name;
-  std::optional<Operation> operation;  ///< none: it has a rule of its own
-  Arguments arguments;
-  std::optional<Function> function = {};  ///< for Operation::function
-
-  bool reduces() const { return arguments == Arguments::two_or_more; }
-};
-
-std::vector<Callable> make_callables() {
-  std::vector<Callable> callables = {
-      {"sqrt", Operation::square_root, Callable::Arguments::one},
-      {"abs", Operation::absolute, Callable::Arguments::one},
-      {"min", Operation::minimum, Callable::Arguments::two_or_more},
-      {"max", Operation::maximum, Callable::Arguments::two_or_more},
-      {"sum", Operation::add, Callable::Arguments::two_or_more},
-      {"product", Operation::multiply, Callable::Arguments::two_or_more},
-      {"within", std::nullopt, Callable::Arguments::value_and_limits},
-      {"sign", Operation::function, Callable::Arguments::one, Function::sign},
-      {"atan2", std::nullopt, Callable::Arguments::y_and_x},
-      {"mod", std::nullopt, Callable::Arguments::value_and_divisor},
-      {"table", std::nullopt, Callable::Arguments::file_and_value},
-  };
-  for (const Function::Kind function : all_functions) {
-    callables.push_back(
-        {to_string(function), Operation::function, Callable::Arguments::one, function});
-  }
-  return callables;
-}
-
-const std::vector<Callable>& callables() {
-  static const std::vector<Callable> all = make_callables();
-  return all;
-}
-
-constexpr std::string_view reducing_functions = "sum, product, min or max";
-
-const Callable* find_callable(const std::string& name) {
-  const auto found = std::find_if(callables().begin(), callables().end(),
-                                  [&](const Callable& known) { return known.name == name; });
-  return found == callables().end() ? nullptr : &*found;
-}
 
 template <class T>
 T value_or_throw(Result<T> result) {
@@ -323,47 +271,10 @@ Value GraphBuilder::raised(const Value& base, int exponent) {
   return applied(Operation::multiply, root, root);
 }
 
-[[noreturn]] void fail_unknown_function(const Syntax& syntax) {
-  std::vector<std::string> names;
-  for (const Callable& known : callables()) names.emplace_back(known.name);
-  fail(syntax.column, "unknown function", syntax.text, list_with_nearest(syntax.text, names));
-}
-
-void check_arguments(const Syntax& syntax, const Callable& function) {
-  const std::size_t count = syntax.parts.size();
-  const auto refuse = [&](const std::string& needed, const std::string& accepted) {
-    fail(syntax.column, fmt::format("{} takes {}", syntax.text, needed),
-         fmt::format("{} argument{}", count, count == 1 ? "" : "s"), accepted);
-  };
-  switch (function.arguments) {
-    case Callable::Arguments::one:
-      if (count != 1) refuse("1 argument", "1 argument");
-      return;
-    case Callable::Arguments::value_and_divisor:
-      if (count != 2) refuse("2 arguments", "a value and a divisor");
-      return;
-    case Callable::Arguments::y_and_x:
-      if (count != 2) refuse("2 arguments", "y and x");
-      return;
-    case Callable::Arguments::file_and_value:
-      if (count == 2 || count == 3) return;
-      refuse("2 or 3 arguments", "a file in quotes, a value, and a degree if that is not 1");
-      return;
-    case Callable::Arguments::two_or_more:
-      if (count >= 2) return;
-      refuse("2 arguments or more", "2 arguments or more, or an index (k in 0..3) and a term");
-      return;
-    case Callable::Arguments::value_and_limits:
-      if (count != 3) refuse("3 arguments", "a value, its least and its greatest");
-      return;
-  }
-}
-
 Value GraphBuilder::call(const Syntax& syntax) {
-  const Callable* function = find_callable(syntax.text);
-  if (function == nullptr) fail_unknown_function(syntax);
-  check_arguments(syntax, *function);
-  switch (function->arguments) {
+  const Callable& function = callable_of(syntax);
+  check_arguments(syntax, function);
+  switch (function.arguments) {
     case Callable::Arguments::value_and_limits: return limited(syntax);
     case Callable::Arguments::value_and_divisor: return remainder(syntax);
     case Callable::Arguments::y_and_x: return angle(syntax);
@@ -373,9 +284,9 @@ Value GraphBuilder::call(const Syntax& syntax) {
   }
   std::vector<Value> values;
   for (const Syntax& part : syntax.parts) values.push_back(value_of(part));
-  if (function->function) return applied(*function->function, values[0]);
-  if (!function->reduces()) return applied(*function->operation, values[0], values[0]);
-  return joined_pairwise(*function->operation, std::move(values));
+  if (function.function) return applied(*function.function, values[0]);
+  if (!function.reduces()) return applied(*function.operation, values[0], values[0]);
+  return joined_pairwise(*function.operation, std::move(values));
 }
 
 /// The value of mod(value, divisor).
@@ -465,10 +376,11 @@ mpq_class GraphBuilder::constant(const Syntax& syntax, const std::string& accept
   return *value.constant;
 }
 
+constexpr std::string_view reducing_functions = "sum, product, min or max";
+
 Value GraphBuilder::reduction(const Syntax& syntax) {
-  const Callable* function = find_callable(syntax.text);
-  if (function == nullptr) fail_unknown_function(syntax);
-  if (!function->reduces()) {
+  const Callable& function = callable_of(syntax);
+  if (!function.reduces()) {
     fail(syntax.column, fmt::format("{} takes no index", syntax.text), syntax.index + " in",
          std::string(reducing_functions));
   }
@@ -485,7 +397,7 @@ Value GraphBuilder::reduction(const Syntax& syntax) {
     terms.push_back(value_of(syntax.parts[2]));
   }
   indices_.pop_back();
-  return joined_pairwise(*function->operation, std::move(terms));
+  return joined_pairwise(*function.operation, std::move(terms));
 }
 
 IndexRange GraphBuilder::range(const Syntax& syntax) {

@@ -101,7 +101,7 @@ private:
   }
 
   void function(const Node& node) {
-    // What stands before the argument and behind it.
+    // The text before the argument, and the text behind it.
     const std::string whole = applied_text(*node.function, "#");
     const std::size_t argument = whole.rfind('#');
     text_ += whole.substr(0, argument);

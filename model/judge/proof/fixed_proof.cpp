@@ -231,14 +231,19 @@ private:
     if (is_polynomial(node.operation)) add_script(id, value, exact);
   }
 
+  const std::optional<FunctionEnclosure>& enclosure_of(const FunctionNodes& function) {
+    const auto [known, is_new] = enclosures_.try_emplace(function.result);
+    if (is_new) known->second = enclose_function(nodes_, function);
+    return known->second;
+  }
+
   /// The number stands for itself.
   void prove_inside(NodeId id, const FunctionNodes& function) {
-    const auto [found, is_new] = enclosures_.try_emplace(function.result);
-    if (is_new) found->second = enclose_function(nodes_, function);
+    const std::optional<FunctionEnclosure>& found = enclosure_of(function);
     FixedNode& node = nodes_[id];
     node.error = {0, 0};
-    if (!found->second) return;
-    const Range enclosed = found->second->inside.at(id);
+    if (!found) return;
+    const Range enclosed = found->inside.at(id);
     if (arity(node.operation) == 2) {
       const FixedNode &a = nodes_[node.operands[0]], &b = nodes_[node.operands[1]];
       node.value = fixed::exact_value(node.operation, a.value, b.value);
@@ -255,9 +260,7 @@ private:
     if (!where_.empty()) return;
     FixedNode& node = nodes_[function.result];
     const std::string name = text(function.result);
-    const auto [known, is_new] = enclosures_.try_emplace(function.result);
-    if (is_new) known->second = enclose_function(nodes_, function);
-    const std::optional<FunctionEnclosure>& found = known->second;
+    const std::optional<FunctionEnclosure>& found = enclosure_of(function);
     if (!found) {
       proof_.findings.push_back({"value and error of " + name, Outcome::not_proven,
                                  "the function's nodes have no bound"});
@@ -523,53 +526,48 @@ private:
 
   bool has_reaches() const { return std::any_of(nodes_.begin(), nodes_.end(), fixed::is_reach); }
 
-  void add_step(const char* theorem, const char* statement) {
-    proof_.by_hand.push_back({theorem, statement});
+  /// `theorem`: "2 (limits)" where it says several things.
+  void add_step(const std::string& theorem, const char* statement) {
+    const std::string number = theorem.substr(0, theorem.find(' '));
+    proof_.by_hand.push_back(
+        {theorem, fmt::format("docs/fixed_point.md, theorem {}: {}", number, statement)});
   }
 
   void add_steps_by_hand() {
     const auto any = [&](auto condition) {
       return std::any_of(nodes_.begin(), nodes_.end(), condition);
     };
-    add_step("1 (operands)", "docs/fixed_point.md, theorem 1: value and error of an operand");
+    add_step("1 (operands)", "value and error of an operand");
     if (any([](const FixedNode& node) {
           return node.operation == Operation::absolute || is_choice(node.operation);
         })) {
-      add_step("2 (choices)", "docs/fixed_point.md, theorem 2: absolute values, minima and maxima");
+      add_step("2 (choices)", "absolute values, minima and maxima");
     }
     if (any([](const FixedNode& node) { return node.dropped_bits > 0; })) {
-      add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: the error of dropped bits");
+      add_step("2 (dropped bits)", "the error of dropped bits");
     }
     if (any([](const FixedNode& node) { return fixed::is_limit(node); })) {
-      add_step("2 (limits)", "docs/fixed_point.md, theorem 2: the values that pass a limit");
+      add_step("2 (limits)", "the values that pass a limit");
     }
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
-      add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
+      add_step("5", "value and error of a square root");
     }
-    if (any([](const FixedNode& node) { return node.function && !has_jumps(*node.function); })) {
-      add_step("10", "docs/fixed_point.md, theorem 10: from polynomials to a function's error");
-    }
-    if (any([](const FixedNode& node) { return node.function && has_jumps(*node.function); })) {
-      add_step("11", "docs/fixed_point.md, theorem 11: from exact quotients and signs to errors");
-    }
-    if (lane_.format.is_block) {
-      add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
-    }
-    if (has_common_cuts()) {
-      add_step("7", "docs/fixed_point.md, theorem 7: value and error of a common cut");
-    }
-    if (has_reaches()) {
-      add_step("8", "docs/fixed_point.md, theorem 8: one square that decides");
-    }
-    if (any_part<fixed::ConstantThresholds>()) {
-      add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");
-    }
+    const auto any_function = [&](bool jumps) {
+      return any([&](const FixedNode& node) {
+        return node.function && has_jumps(*node.function) == jumps;
+      });
+    };
+    if (any_function(false)) add_step("10", "from polynomials to a function's error");
+    if (any_function(true)) add_step("11", "from exact quotients and signs to errors");
+    if (lane_.format.is_block) add_step("6", "operands divided by a power of two");
+    if (has_common_cuts()) add_step("7", "value and error of a common cut");
+    if (has_reaches()) add_step("8", "one square that decides");
+    if (any_part<fixed::ConstantThresholds>()) add_step("3", "from the error to the constants");
     if (any_part<fixed::RunningThresholds>()) {
-      add_step("9", "docs/fixed_point.md, theorem 9: from the error in a step to its threshold");
+      add_step("9", "from the error in a step to its threshold");
     }
     if (any_part<fixed::NormThresholds>()) {
-      add_step("4",
-               "docs/fixed_point.md, theorem 4: from the norm of the errors to the thresholds");
+      add_step("4", "from the errors' norm to the thresholds");
     }
   }
 

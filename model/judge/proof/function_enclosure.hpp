@@ -41,7 +41,7 @@ struct FunctionEnclosure {
 std::optional<FunctionEnclosure> enclose_function(const std::vector<fixed::FixedNode>& nodes,
                                                   const FunctionNodes& function);
 
-/// What a lane states of a function.
+/// The accuracy and the shape that a lane states of a function.
 struct StatedFunction {
   std::string text;  ///< as the scene has it: "log(u)"
   Range error;       ///< the computed number less the function of the real argument

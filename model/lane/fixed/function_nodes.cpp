@@ -284,7 +284,7 @@ NodeId FixedGraphBuilder::floating_code(const Function& function, NodeId argumen
   return add(std::move(node));
 }
 
-/// Where the argument lies: the node whose upper bits are the address of its piece, and t.
+/// Makes the node whose upper bits are the address of the argument's piece, and t.
 FixedGraphBuilder::Place FixedGraphBuilder::place_of(const Function& function,
                                                      const function::Piecewise& piecewise,
                                                      NodeId argument) {

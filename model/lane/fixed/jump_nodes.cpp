@@ -137,7 +137,7 @@ Result<FixedNode> FixedGraphBuilder::remainder(NodeId id, const Function& functi
   const auto quotients = [&](const Range& range) -> Range {
     return {floor_of(range.low / divisor), floor_of(range.high / divisor)};
   };
-  // Where no real argument jumps, one multiple is subtracted.
+  // One multiple is subtracted if all real arguments have the same quotient.
   const Range real = mixcmp::difference(computed.value, computed.error);
   const bool jumps = quotients(real).low != quotients(real).high;
   const mpq_class moved = error.value_or(0);

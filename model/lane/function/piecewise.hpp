@@ -87,7 +87,7 @@ struct Piecewise {
 /// The result of hardware for the argument X, in units of the result; X is one of the arguments.
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 
-/// What multiplies coefficients and t.
+/// The hardware of a product of coefficients and t.
 enum class ProductKind {
   embedded,  ///< the device's multiplier blocks
   logic,     ///< rows of carry chains
