@@ -246,6 +246,20 @@ TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
   EXPECT_GE(counts.functions, GetParam().functions);
 }
 
+/// Pieces that shrink towards 0 have a word for 0 itself.
+TEST(FunctionOfZero, HasAValueBehindASearchForTheLeadingOne) {
+  const FunctionComparison comparison = {"", {{"a^0.9", "b"}}, {{0, 3}, {0, 3}}};
+  const FloatFormat format = format_of(24, 8);
+  const FixedLane reference = comparison.lane(format, 20, true).value();
+  ASSERT_TRUE(std::any_of(reference.nodes.begin(), reference.nodes.end(), fixed::is_floating_code));
+  const auto verdict = [&](double a, double b) {
+    return golden::evaluate_lane(reference, encoded(format, {a, b})).verdict;
+  };
+  EXPECT_EQ(verdict(0, 0), Verdict::equal);
+  EXPECT_EQ(verdict(0, 0x1p-7), Verdict::less);
+  EXPECT_EQ(verdict(0x1p-17, 0), Verdict::greater);
+}
+
 INSTANTIATE_TEST_SUITE_P(Comparisons, Functions, testing::ValuesIn(function_comparisons()),
                          [](const auto& parameter) { return parameter.param.name; });
 
