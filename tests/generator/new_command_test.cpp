@@ -183,9 +183,9 @@ TEST_F(NewCommand, FunctionsMakeReferencesInFixedPoint) {
   EXPECT_NE(text.find("verify annealing_plan.toml"), std::string::npos) << text;
   checked("annealing.toml");
   const Outcome plan =
-      mixcmp("optimise annealing.toml --predict-only --first 11 --last 11 -o annealing_plan.toml");
+      mixcmp("optimise annealing.toml --predict-only --first 13 --last 13 -o annealing_plan.toml");
   ASSERT_EQ(plan.exit_code, 0) << plan.output;
-  const Outcome profile = mixcmp("profile annealing.toml --first 11 --last 12");
+  const Outcome profile = mixcmp("profile annealing.toml --first 12 --last 13");
   EXPECT_EQ(profile.exit_code, 0) << profile.output;
   const Outcome generated = mixcmp("generate annealing_plan.toml -o rtl --no-prove");
   EXPECT_EQ(generated.exit_code, 0) << generated.output;

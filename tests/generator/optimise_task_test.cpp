@@ -329,8 +329,8 @@ TEST_F(OptimiseTask, ItsNotesAreThoseOfThePlan) {
   request = request_with({"system.counters=none", "comparison.f=(bx-ax)/(cy-ay)"});
   request.choice.bounds.push_back({NumberSystem::floating, BoundKind::relative});
   EXPECT_TRUE(has_note(found_for(request),
-                       "no lane in fixed point can be planned: it divides only "
-                       "by constants, and f has (bx - ax) / (cy - ay)"));
+                       "no lane in fixed point can be planned: the divisor may be below 0 and "
+                       "above it: (bx - ax) / (cy - ay)"));
   request.choice.bounds = {{NumberSystem::floating, BoundKind::relative}};
   EXPECT_FALSE(has_note(found_for(request), "no lane in fixed point")) << "none was asked for";
 }

@@ -45,11 +45,10 @@ const units::UnitAreas& library() {
 }
 
 /// The counters' port is in no component, and the serial square only on families without wide
-/// tables. Squares from a memory of one port and fused sums that no comparison ends are not
-/// measured yet: lanes and references with them have no predicted area. The area of a table is
-/// known from its words.
+/// tables. Fused sums that no comparison ends are not measured yet: references with them have no
+/// predicted area. The area of a table is known from its words.
 const std::set<std::string> without_units = {"counter_port", "fp_serial_square", "fixed_table",
-                                             "fixed_memory_square", "fp_fused_sum"};
+                                             "fp_fused_sum"};
 
 /// Without its units a template makes every plan with it impossible.
 TEST(UnitLibrary, KnowsEveryTemplateThatIsNoPart) {
