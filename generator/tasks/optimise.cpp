@@ -39,15 +39,17 @@ bool is_one_table(const OptimiseRequest& request) {
   return !request.planning.table.empty() && !fs::is_directory(request.planning.table, failed);
 }
 
-/// The scene as it is, and its variants.
+/// The scene as it is, and its variants. Moves that other keys of the scene rule out are left out.
 Result<std::vector<Formulation>> variants_of(const OptimiseRequest& request,
                                              const LoadedScene& loaded) {
   std::vector<Formulation> formulations = {{loaded, {}, name_of(loaded.scene)}};
   for (const Words& own : settings_of_variants(request, loaded.scene)) {
     const SceneRequest& scene = request.planning.scene;
-    MIXCMP_TRY(read, scene::load_scene(scene.source, joined(scene.settings, own)));
-    const std::string name = name_of(read);
-    formulations.push_back({{std::move(read), loaded.data}, own, name});
+    auto read = scene::load_scene(scene.source, joined(scene.settings, own));
+    if (!read.ok() && loaded.scene.variants_are_moves) continue;
+    if (!read.ok()) return read.error();
+    const std::string name = name_of(*read);
+    formulations.push_back({{std::move(read).value(), loaded.data}, own, name});
   }
   return formulations;
 }

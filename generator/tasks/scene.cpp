@@ -127,8 +127,10 @@ Result<std::vector<LoadedScene>> load_formulations(const SceneRequest& request,
   if (!loaded.scene.variant.empty()) return formulations;
   for (const std::string& variant : loaded.scene.variants) {
     const auto settings = joined(request.settings, {"comparison.variant=" + variant});
-    MIXCMP_TRY(scene, scene::load_scene(request.source, settings));
-    formulations.push_back({std::move(scene), loaded.data});
+    auto scene = scene::load_scene(request.source, settings);
+    if (!scene.ok() && loaded.scene.variants_are_moves) continue;
+    if (!scene.ok()) return scene.error();
+    formulations.push_back({std::move(scene).value(), loaded.data});
   }
   return formulations;
 }

@@ -15,6 +15,7 @@
 #include "model/comparison/expression/text.hpp"
 #include "model/lane/error/exponent_range.hpp"
 #include "model/lane/fixed/exact_lane.hpp"
+#include "model/scene/chosen_formulation.hpp"
 #include "model/scene/data_ranges.hpp"
 #include "model/scene/expression_notes.hpp"
 #include "model/scene/fixed_operands.hpp"
@@ -58,123 +59,17 @@ Result<std::vector<LetDefinition>> read_lets(const settings::Settings& settings)
   return lets;
 }
 
-/// Renames the field of an error in a variant: the key is in a [[variant]], not in [comparison].
-Error in_variant(const std::string& variant, Error error) {
-  constexpr std::string_view section = "comparison.";
-  if (error.field.starts_with(section)) {
-    error.field = fmt::format("variant {}, {}", variant, error.field.substr(section.size()));
-  }
-  return error;
-}
-
-std::string place_of_f(const settings::Settings& settings) {
-  settings::Section comparison(settings, "comparison");
-  const settings::Setting& f = *comparison.find("f");
-  return f.line == 0 ? settings::file_of(f) : fmt::format("{}:{}", settings::file_of(f), f.line);
-}
-
-/// Describes how two sets of inputs differ: "z is none of them, y is missing".
-std::string differences(const std::set<std::string>& named, const std::set<std::string>& wanted) {
-  std::vector<std::string> told;
-  for (const std::string& name : named) {
-    if (!wanted.contains(name)) told.push_back(name + " is none of them");
-  }
-  for (const std::string& name : wanted) {
-    if (!named.contains(name)) told.push_back(name + " is missing");
-  }
-  return fmt::format("{}", fmt::join(told, ", "));
-}
-
-/// Reads a variant instead of [comparison]. It must have the same inputs and gets them in the same
-/// order, so that data and ports fit all variants.
-Result<ComparisonSpec> read_variant(const Formulation& formulation,
-                                    std::span<const LetDefinition> lets,
-                                    const settings::Settings& given, const ComparisonSpec& base,
-                                    std::set<std::string>& used_lets) {
-  const settings::Settings& settings = formulation.settings;
-  MIXCMP_TRY(variant, read_comparison(settings, lets));
-  MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, used_lets));
-  const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
-  const auto& inputs = base.graph.inputs();
-  const std::set<std::string> wanted(inputs.begin(), inputs.end());
-  if (named != wanted) {
-    const settings::Section section(settings, "comparison");
-    return section.mistake("f",
-                           fmt::format("f and g have other inputs than those at {}: {}",
-                                       place_of_f(given), differences(named, wanted)),
-                           fmt::format("{}", fmt::join(named, ", ")),
-                           fmt::format("{}", fmt::join(inputs, ", ")));
-  }
-  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, variant.used_lets));
-  variant.graph = std::move(graph);
-  variant.name += "_" + formulation.variant;
-  const std::string problem = name_problem(variant.name);
-  if (problem.empty()) return variant;
-  return formulation.name_mistake(problem + " behind the scene's name", variant.name);
-}
-
-/// Leaves out parts that repeat f and g of an earlier part: either combination of a verdict with
-/// itself is that verdict.
-void drop_repeated_parts(ComparisonSpec& comparison, std::vector<std::string>& notes) {
-  std::vector<Sides> parts;
-  std::vector<PartSettings> kept;
-  for (std::size_t k = 0; k < comparison.parts.size(); ++k) {
-    const Sides& sides = comparison.graph.parts()[k];
-    const auto known = std::find(parts.begin(), parts.end(), sides);
-    if (known == parts.end()) {
-      parts.push_back(sides);
-      kept.push_back(comparison.parts[k]);
-    } else {
-      notes.push_back(fmt::format("the part \"{}\" against \"{}\" is part {} again: left out",
-                                  std::get<std::string>(comparison.parts[k].f->value),
-                                  std::get<std::string>(comparison.parts[k].g->value),
-                                  known - parts.begin()));
-    }
-  }
-  comparison.parts = std::move(kept);
-  comparison.graph.compare(std::move(parts), comparison.combination);
-}
-
-/// Reads the chosen formulation, and checks the others for mistakes. Notes name the lets that no
-/// formulation uses; `graphs` gets the graph of each formulation.
-Result<ComparisonSpec> read_formulation(const Formulations& formulations,
-                                        std::span<const LetDefinition> lets,
-                                        std::vector<std::string>& notes,
-                                        std::vector<Graph>& graphs) {
-  const settings::Settings& settings = formulations.all.front().settings;
-  MIXCMP_TRY(base, read_comparison(settings, lets));
-  std::set<std::string> used_lets;
-  MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
-  base.used_lets = used_lets;
-  MIXCMP_DO(check_unused_lets(settings, lets, used_lets));
-  base.graph = std::move(graph);
-  ComparisonSpec chosen = base;
-  graphs = {base.graph};
-  for (std::size_t k = 1; k < formulations.all.size(); ++k) {
-    Result<ComparisonSpec> variant =
-        read_variant(formulations.all[k], lets, settings, base, used_lets);
-    if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
-    graphs.push_back(variant->graph);
-    if (k == formulations.chosen) chosen = std::move(variant).value();
-  }
-  drop_repeated_parts(chosen, notes);
-  for (const LetDefinition& let : lets) {
-    if (used_lets.contains(let.name)) continue;
-    notes.push_back(fmt::format("let {} is not used by f or g", let.name));
-  }
-  return chosen;
-}
-
-std::vector<std::string> names_of(const Formulations& formulations) {
-  std::vector<std::string> names;
-  for (std::size_t k = 1; k < formulations.all.size(); ++k) {
-    names.push_back(formulations.all[k].variant);
-  }
-  return names;
-}
-
+/// The parts as they are written; those of a move as they would be written.
 std::vector<PartText> texts_of(const ComparisonSpec& comparison) {
   std::vector<PartText> texts;
+  if (comparison.is_move) {
+    constexpr std::size_t most_characters = 400;
+    for (const auto& [f, g] : comparison.graph.parts()) {
+      texts.push_back({to_text(comparison.graph, f, most_characters),
+                       to_text(comparison.graph, g, most_characters)});
+    }
+    return texts;
+  }
   for (const PartSettings& part : comparison.parts) {
     std::string where;
     for (const IndexValue& index : part.indices) {
@@ -294,40 +189,6 @@ void note_unused_keys(const Scene& scene, const settings::Settings& settings,
     notes.emplace_back(
         "reduced.relative_error_f and _g are not used: a certified bound proves its own");
   }
-}
-
-/// Notes constants that the reference format only approximates. A constant that it cannot hold at
-/// all is an error in the choice of format.
-Result<Done> check_constants(const settings::Settings& settings, const Graph& graph,
-                             const ReferenceSpec& reference, std::vector<std::string>& notes) {
-  if (reference.fixed_point) return Done{};
-  const FloatFormat format = reference.arithmetic.format;
-  for (const Node& node : graph.nodes()) {
-    if (node.operation != Operation::constant) continue;
-    const Bits bits = from_rational(format, node.value);
-    const bool vanishes =
-        format.is_zero(bits) ||
-        (reference.arithmetic.subnormals == Subnormals::flush && format.is_subnormal(bits));
-    if (format.is_infinite(bits) || (vanishes && node.value != 0)) {
-      const settings::Section section(settings, "reference");
-      return section.mistake("format",
-                             fmt::format("it cannot hold the constant {}", to_text(node.value)),
-                             format.name(), "a format with more exponent bits");
-    }
-    const mpq_class off = to_rational(format, bits) - node.value;
-    if (off == 0) continue;
-    notes.push_back(fmt::format("constant {} is inexact in {}: rounded, off by {}",
-                                to_text(node.value), format.name(), to_text(off)));
-  }
-  return Done{};
-}
-
-/// Refuses fused sums with more terms than a unit has.
-Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, Sums sums) {
-  if (sums == Sums::composed || longest_fused_sum(graph) <= max_fused_terms) return Done{};
-  const settings::Section section(settings, "reference");
-  return section.mistake("sums", fmt::format("a sum has more than {} terms", max_fused_terms),
-                         in_quotes(std::string(to_string(sums))), "\"composed\"");
 }
 
 /// Refuses tags that cannot name a group's lanes.
@@ -517,12 +378,14 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes, graphs));
   Graph& graph = comparison.graph;
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
-  MIXCMP_TRY(reference, read_reference(settings, graphs, declared));
+  MIXCMP_TRY(reference,
+             read_possible_reference(settings, formulations, graphs, declared, comparison, notes));
   const FloatFormat format = reference.arithmetic.format;
-  MIXCMP_DO(check_constants(settings, graph, reference, notes));
-  MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
+  MIXCMP_DO(check_reference_holds(settings, graph, reference, notes));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
+  MIXCMP_TRY(variants, settle_move(read.settings, formulations, reference, declared,
+                                   operand_formats, comparison, notes));
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, operands_of(declared, operand_formats)));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
@@ -535,8 +398,9 @@ Result<Scene> interpret(SceneSettings read) {
   const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;
   Scene scene{.path = settings.path,
               .name = comparison.name,
-              .variant = formulations.all[formulations.chosen].variant,
-              .variants = names_of(formulations),
+              .variant = comparison.variant,
+              .variants = std::move(variants),
+              .variants_are_moves = formulations.all.size() == 1,
               .parts = texts_of(comparison),
               .lets = texts_of_lets(comparison, lets),
               .graph = std::move(graph),

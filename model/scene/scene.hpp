@@ -166,10 +166,13 @@ struct Scene {
   std::filesystem::path path;
   std::vector<std::string> settings;  ///< "section.key=value": the overrides applied
   std::string name;                   ///< comparison.name and the variant's; names the modules
-  std::string variant;                ///< the chosen [[variant]]; empty: only [comparison]
-  std::vector<std::string> variants;  ///< names of all variants
-  std::vector<PartText> parts;        ///< one per part of the graph
-  std::vector<LetDefinition> lets;    ///< those that f and g need, as written, each on one line
+  std::string variant;                ///< the chosen [[variant]] or move; empty: only [comparison]
+  /// Names of all variants, or of the formulations that mixcmp finds by itself (moves.hpp): scenes
+  /// with [[variant]] have none of those.
+  std::vector<std::string> variants;
+  bool variants_are_moves = false;
+  std::vector<PartText> parts;      ///< one per part of the graph
+  std::vector<LetDefinition> lets;  ///< those that f and g need, as written, each on one line
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two

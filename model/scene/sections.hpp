@@ -23,7 +23,9 @@ struct PartSettings {
 };
 
 struct ComparisonSpec {
-  std::string name;
+  std::string name;          ///< with that of the variant or move
+  std::string variant = {};  ///< the name of the [[variant]] or move; empty: [comparison]
+  bool is_move = false;      ///< a formulation that mixcmp has found, which no setting has written
   Combination combination = Combination::all;
   std::vector<PartSettings> parts;
   const settings::Setting* index =

@@ -73,25 +73,30 @@ Result<Formulation> formulation_of(const settings::Setting& table, std::string n
                               in_quotes(formulation.variant), "f, g or both");
 }
 
-Result<std::size_t> chosen_one(const settings::Settings& settings,
-                               const std::vector<Formulation>& all) {
+/// Sets which formulation comparison.variant names.
+Result<Done> read_choice(const settings::Settings& settings, Formulations& formulations) {
   settings::Section section(settings, "comparison");
   const settings::Setting* key = section.find("variant");
-  if (key == nullptr) return std::size_t{0};
+  if (key == nullptr) return Done{};
   std::string name;
   section.text("variant", name);
   if (!std::holds_alternative<std::string>(key->value)) {
     return section.mistake("variant", "wrong type", key->shown(), "a variant's name");
   }
-  if (name.empty()) return std::size_t{0};
   std::vector<std::string> names;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    if (all[k].variant == name) return k;
-    names.push_back(all[k].variant);
+  for (std::size_t k = 1; k < formulations.all.size(); ++k) {
+    if (formulations.all[k].variant == name) formulations.chosen = k;
+    names.push_back(formulations.all[k].variant);
   }
-  return section.mistake(
-      "variant", names.empty() ? "the scene has no [[variant]]" : "no such variant", key->shown(),
-      names.empty() ? "no such key" : list_with_nearest(name, names));
+  formulations.is_as_written = name == no_variant;
+  if (name.empty() || formulations.chosen > 0 || formulations.is_as_written) return Done{};
+  if (names.empty()) {
+    formulations.move = name;
+    return Done{};
+  }
+  names.emplace_back(no_variant);
+  return section.mistake("variant", "no such variant", key->shown(),
+                         list_with_nearest(name, names));
 }
 
 }  // namespace
@@ -121,8 +126,7 @@ Result<Formulations> read_formulations(const settings::Settings& settings) {
     MIXCMP_TRY(formulation, formulation_of(table, name, base));
     formulations.all.push_back(std::move(formulation));
   }
-  MIXCMP_TRY(chosen, chosen_one(settings, formulations.all));
-  formulations.chosen = chosen;
+  MIXCMP_DO(read_choice(settings, formulations));
   return formulations;
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/base/settings/settings.hpp"
 
 namespace mixcmp::scene {
+
+/// The value of comparison.variant that takes [comparison] as it is written, and nothing else.
+inline constexpr std::string_view no_variant = "none";
 
 /// One formulation of the scene's comparison: the scene's settings, with the keys of a [[variant]]
 /// in place of those of [comparison].
@@ -21,7 +25,10 @@ struct Formulation {
 
 struct Formulations {
   std::vector<Formulation> all;  ///< [comparison]'s own first, then variants in the file's order
-  std::size_t chosen = 0;        ///< index of comparison.variant's; 0: none is named
+  std::size_t chosen = 0;        ///< index of comparison.variant's; 0: [comparison] or a move
+  /// comparison.variant if there is no [[variant]]; empty: it names none.
+  std::string move = {};
+  bool is_as_written = false;  ///< comparison.variant is no_variant
 };
 
 /// Reads [[variant]] and comparison.variant, and removes both from the returned settings.

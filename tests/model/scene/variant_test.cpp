@@ -123,12 +123,12 @@ TEST_F(Variants, MistakesAreFoundInThoseNotChosenToo) {
 }
 
 TEST_F(Variants, AChoiceMustBeThere) {
-  EXPECT_EQ(
-      error(root_, "rot"),
-      "--set: comparison.variant: no such variant: received \"rot\"; accepted root (the nearest)");
+  EXPECT_EQ(error(root_, "rot"),
+            "--set: comparison.variant: no such variant: received \"rot\"; accepted root (the "
+            "nearest), none");
   EXPECT_EQ(error("", "root"),
-            "--set: comparison.variant: the scene has no [[variant]]: received \"root\"; accepted "
-            "no such key");
+            "--set: comparison.variant: the scene has no [[variant]], and mixcmp finds no other "
+            "formulation: received \"root\"; accepted none");
 }
 
 TEST_F(Variants, TheSquareAndTheRootDecideAlikeOnTiesToo) {

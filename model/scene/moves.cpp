@@ -1,0 +1,424 @@
+#include "model/scene/moves.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "model/base/common/check.hpp"
+#include "model/comparison/expression/range.hpp"
+#include "model/lane/function/taylor.hpp"
+
+namespace mixcmp::scene {
+namespace {
+
+using PossibleRange = std::optional<Range>;
+
+/// Between the poles of tan that are next to 0, +-pi / 2.
+const Range tan_branch = {mpq_class(-157, 100), mpq_class(157, 100)};
+
+bool is_within(const Range& inner, const Range& outer) {
+  return outer.low <= inner.low && inner.high <= outer.high;
+}
+
+bool has_value_in(const Function& function, const Range& arguments) {
+  const Domain all = domain(function);
+  return all.contains(arguments.low) && all.contains(arguments.high);
+}
+
+PossibleRange function_range(const Function& function, const Range& argument) {
+  if (has_jumps(function) || !has_value_in(function, argument)) return std::nullopt;
+  const function::Interval value = function::value(function, function::Interval(argument));
+  return value.is_bounded() ? PossibleRange(value.range()) : std::nullopt;
+}
+
+/// Encloses the real values of an operation; none if it may have no value or an operand has no
+/// known range.
+PossibleRange value_range(const Node& node, const PossibleRange& a, const PossibleRange& b) {
+  if (!a || (arity(node.operation) == 2 && !b)) return std::nullopt;
+  switch (node.operation) {
+    case Operation::negate: return negated(*a);
+    case Operation::absolute: return absolute(*a);
+    case Operation::add: return sum(*a, *b);
+    case Operation::subtract: return difference(*a, *b);
+    case Operation::multiply: return product(*a, *b);
+    case Operation::square: return square(*a);
+    case Operation::minimum: return minimum(*a, *b);
+    case Operation::maximum: return maximum(*a, *b);
+    case Operation::divide:
+      if (contains_zero(*b)) return std::nullopt;
+      return product(*a, {1 / b->high, 1 / b->low});
+    case Operation::square_root: return function_range(Function::power_of(mpq_class(1, 2)), *a);
+    case Operation::function: return function_range(*node.function, *a);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::look_up:
+    case Operation::fused_sum: break;
+  }
+  MIXCMP_CHECK(!"an operand, or an operation of typed graphs");
+}
+
+/// The increasing function that undoes an increasing one; none if expressions have none.
+std::optional<Function> inverse_of(const Function& function) {
+  if (!function.inner().is_identity()) return std::nullopt;
+  switch (function.kind()) {
+    case Function::exp: return Function::log;
+    case Function::log: return Function::exp;
+    case Function::exp2: return Function::log2;
+    case Function::log2: return Function::exp2;
+    case Function::expm1: return Function::log1p;
+    case Function::log1p: return Function::expm1;
+    case Function::tan: return Function::atan;
+    case Function::atan: return Function::tan;
+    case Function::power:
+      if (function.parameter() <= 0) return std::nullopt;
+      return Function::power_of(1 / function.parameter());
+    case Function::sin:
+    case Function::cos:
+    case Function::sinh:
+    case Function::cosh:
+    case Function::tanh:
+    case Function::sign:
+    case Function::remainder:
+    case Function::table: return std::nullopt;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// "The order of scale * left and right", or the opposite order.
+struct Claim {
+  NodeId left, right;
+  bool is_opposite = false;
+  mpq_class scale = 1;  ///< above 0
+};
+
+/// Moves operations from one side of a part to the other, in a graph that grows.
+class Mover {
+public:
+  Mover(const Graph& graph, const std::vector<PossibleRange>& ranges)
+      : graph_(graph), input_ranges_(ranges) {}
+
+  const Graph& graph() const { return graph_; }
+  /// Up to `most_moves` other formulations of a part.
+  std::vector<Sides> others(const Sides& part);
+
+private:
+  const Node& node(NodeId id) const { return graph_.nodes()[static_cast<std::size_t>(id)]; }
+  const mpq_class* constant_of(NodeId id) const {
+    return node(id).operation == Operation::constant ? &node(id).value : nullptr;
+  }
+  const PossibleRange& range(NodeId id);
+  bool has(NodeId id, const Range& limits) { return range(id) && is_within(*range(id), limits); }
+  /// Whether an operation may disappear: a lane may be undecided beyond the limits of a node.
+  bool may_leave(NodeId id) const { return !graph_.limits().contains(id); }
+  /// -1 or 1 if all values are on that side of 0, otherwise 0.
+  int sign_of(NodeId id);
+
+  NodeId negated(NodeId a);
+  NodeId sum(NodeId a, NodeId b);
+  NodeId difference(NodeId a, NodeId b);
+  NodeId product(NodeId a, NodeId b);
+  NodeId scaled(NodeId a, const mpq_class& factor);
+  NodeId square(NodeId a);
+  NodeId applied(const Function& function, NodeId a);
+
+  std::vector<Claim> without_outermost(const Claim& claim);
+  std::optional<Claim> without_quotient(const Claim& claim);
+  std::optional<Claim> without_root(const Claim& claim);
+  std::optional<Claim> without_function(const Claim& claim);
+  std::vector<Claim> without_cheap(const Claim& claim);
+  /// The roots, quotients and functions that a part needs.
+  std::set<NodeId> dear_operations(const Sides& part) const;
+
+  Graph graph_;
+  const std::vector<PossibleRange>& input_ranges_;
+  std::vector<PossibleRange> ranges_;  ///< of the first nodes
+};
+
+const PossibleRange& Mover::range(NodeId id) {
+  const auto of = [&](NodeId operand) {
+    return operand < 0 ? PossibleRange() : ranges_[static_cast<std::size_t>(operand)];
+  };
+  for (auto next = static_cast<NodeId>(ranges_.size()); next <= id; ++next) {
+    const Node& each = node(next);
+    if (each.operation == Operation::input) {
+      ranges_.push_back(input_ranges_[static_cast<std::size_t>(each.input)]);
+    } else if (each.operation == Operation::constant) {
+      ranges_.push_back(Range{each.value, each.value});
+    } else {
+      ranges_.push_back(value_range(each, of(each.operands[0]), of(each.operands[1])));
+    }
+  }
+  return ranges_[static_cast<std::size_t>(id)];
+}
+
+int Mover::sign_of(NodeId id) {
+  if (!range(id)) return 0;
+  return range(id)->low > 0 ? 1 : range(id)->high < 0 ? -1 : 0;
+}
+
+NodeId Mover::negated(NodeId a) {
+  if (const mpq_class* value = constant_of(a)) return graph_.constant(-*value);
+  if (node(a).operation == Operation::negate) return node(a).operands[0];
+  return graph_.apply(Operation::negate, a);
+}
+
+NodeId Mover::sum(NodeId a, NodeId b) {
+  if (constant_of(a) != nullptr) std::swap(a, b);
+  const mpq_class* first = constant_of(a);
+  const mpq_class* second = constant_of(b);
+  if (first != nullptr && second != nullptr) return graph_.constant(*first + *second);
+  if (second != nullptr && *second == 0) return a;
+  return graph_.apply(Operation::add, a, b);
+}
+
+NodeId Mover::difference(NodeId a, NodeId b) {
+  const mpq_class* first = constant_of(a);
+  const mpq_class* second = constant_of(b);
+  if (first != nullptr && second != nullptr) return graph_.constant(*first - *second);
+  if (second != nullptr && *second == 0) return a;
+  if (first != nullptr && *first == 0) return negated(b);
+  if (node(b).operation == Operation::negate) return sum(a, node(b).operands[0]);
+  return graph_.apply(Operation::subtract, a, b);
+}
+
+NodeId Mover::product(NodeId a, NodeId b) {
+  if (constant_of(a) != nullptr) std::swap(a, b);
+  const mpq_class* first = constant_of(a);
+  const mpq_class* second = constant_of(b);
+  if (first != nullptr && second != nullptr) return graph_.constant(*first * *second);
+  if (second != nullptr && *second == 0) return b;
+  if (second != nullptr && *second == 1) return a;
+  if (second != nullptr && *second == -1) return negated(a);
+  return graph_.apply(Operation::multiply, a, b);
+}
+
+NodeId Mover::square(NodeId a) {
+  if (node(a).operation == Operation::square_root && may_leave(a)) return node(a).operands[0];
+  return constant_of(a) != nullptr ? product(a, a) : graph_.apply(Operation::square, a);
+}
+
+/// The function's value where it is defined, as the parser writes it.
+NodeId Mover::applied(const Function& function, NodeId a) {
+  const auto undone = inverse_of(function);
+  const bool is_function = node(a).operation == Operation::function && may_leave(a);
+  if (is_function && undone && *node(a).function == *undone) {
+    const NodeId argument = node(a).operands[0];
+    if (undone->kind() != Function::tan || has(argument, tan_branch)) return argument;
+  }
+  constexpr int most_whole_power = 16;
+  const bool is_power = function.kind() == Function::power;
+  if (!is_power || function.parameter().get_den() != 1 || function.parameter() > most_whole_power) {
+    return graph_.apply(function, a);
+  }
+  NodeId result = a;
+  for (int k = 1; k < function.parameter(); ++k) result = product(result, a);
+  return result;
+}
+
+NodeId Mover::scaled(NodeId a, const mpq_class& factor) {
+  return product(a, graph_.constant(factor));
+}
+
+/// a / c against p / q is a q against p c; against another side it is a against side c.
+std::optional<Claim> Mover::without_quotient(const Claim& claim) {
+  const auto [dividend, divisor] = node(claim.left).operands;
+  const int sign = sign_of(divisor);
+  if (sign == 0) return std::nullopt;
+  const NodeId left = scaled(dividend, claim.scale.get_num());
+  const bool is_opposite = claim.is_opposite != (sign < 0);
+  const auto [p, q] = node(claim.right).operands;
+  const bool is_quotient = node(claim.right).operation == Operation::divide;
+  if (!is_quotient || !may_leave(claim.right) || sign_of(q) == 0) {
+    const NodeId right = scaled(claim.right, claim.scale.get_den());
+    return Claim{left, product(right, divisor), is_opposite};
+  }
+  const bool is_negative = sign_of(q) < 0;
+  return Claim{product(left, q), product(scaled(p, claim.scale.get_den()), divisor),
+               is_opposite != is_negative};
+}
+
+std::optional<Claim> Mover::without_root(const Claim& claim) {
+  const NodeId radicand = node(claim.left).operands[0];
+  const auto is_never_negative = [&](NodeId id) { return range(id) && range(id)->low >= 0; };
+  if (!is_never_negative(radicand) || !is_never_negative(claim.right)) return std::nullopt;
+  const mpz_class& num = claim.scale.get_num();
+  const mpz_class& den = claim.scale.get_den();
+  return Claim{scaled(radicand, num * num), square(scaled(claim.right, den)), claim.is_opposite};
+}
+
+std::optional<Claim> Mover::without_function(const Claim& claim) {
+  const NodeId argument = node(claim.left).operands[0];
+  const NodeId right = scaled(claim.right, 1 / claim.scale);
+  const Function function = *node(claim.left).function;
+  const auto inverse = inverse_of(function);
+  if (!inverse || !range(argument) || !range(right)) return std::nullopt;
+  if (!has_value_in(function, *range(argument)) || !has_value_in(*inverse, *range(right))) {
+    return std::nullopt;
+  }
+  if (function.kind() == Function::tan && !has(argument, tan_branch)) return std::nullopt;
+  if (function.kind() == Function::atan && !has(right, tan_branch)) return std::nullopt;
+  return Claim{argument, applied(*inverse, right), claim.is_opposite};
+}
+
+/// The claims in which one sum, difference, negation or product by a constant has left the left
+/// side.
+std::vector<Claim> Mover::without_cheap(const Claim& claim) {
+  const auto [a, b] = node(claim.left).operands;
+  const auto& [left, right, is, scale] = claim;
+  switch (node(left).operation) {
+    case Operation::negate: return {{a, negated(right), !is, scale}};
+    case Operation::add:
+      return {{a, difference(right, scaled(b, scale)), is, scale},
+              {b, difference(right, scaled(a, scale)), is, scale}};
+    case Operation::subtract:
+      return {{a, sum(right, scaled(b, scale)), is, scale},
+              {b, difference(scaled(a, scale), right), !is, scale}};
+    case Operation::multiply:
+      for (const auto& [factor, rest] : {std::pair(a, b), std::pair(b, a)}) {
+        if (constant_of(factor) == nullptr || *constant_of(factor) == 0) continue;
+        const mpq_class value = *constant_of(factor);
+        if (value > 0) return {{rest, right, is, scale * value}};
+        return {{rest, negated(right), !is, -scale * value}};
+      }
+      return {};
+    default: return {};
+  }
+}
+
+/// The claims in which the left side's first root, quotient or function from outside has moved.
+std::vector<Claim> Mover::without_outermost(const Claim& claim) {
+  if (!may_leave(claim.left)) return {};
+  std::optional<Claim> moved;
+  switch (node(claim.left).operation) {
+    case Operation::divide: moved = without_quotient(claim); break;
+    case Operation::square_root: moved = without_root(claim); break;
+    case Operation::function: moved = without_function(claim); break;
+    default: {
+      std::vector<Claim> all;
+      for (const Claim& each : without_cheap(claim)) {
+        for (const Claim& further : without_outermost(each)) all.push_back(further);
+      }
+      return all;
+    }
+  }
+  return moved ? std::vector<Claim>{*moved} : std::vector<Claim>();
+}
+
+std::set<NodeId> Mover::dear_operations(const Sides& part) const {
+  std::set<NodeId> dear, seen;
+  std::vector<NodeId> open = {part.f, part.g};
+  while (!open.empty()) {
+    const NodeId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Operation operation = node(id).operation;
+    const bool is_dear = operation == Operation::divide || operation == Operation::square_root ||
+                         operation == Operation::function;
+    if (is_dear) dear.insert(id);
+    for (int k = 0; k < arity(operation); ++k) {
+      open.push_back(node(id).operands[static_cast<std::size_t>(k)]);
+    }
+  }
+  return dear;
+}
+
+std::vector<Sides> Mover::others(const Sides& part) {
+  std::vector<Sides> known = {part};
+  std::set<std::set<NodeId>> dear = {dear_operations(part)};
+  for (std::size_t next = 0; next < known.size() && known.size() <= most_moves; ++next) {
+    const Sides from = known[next];
+    std::vector<Claim> claims = without_outermost({from.f, from.g, false});
+    for (const Claim& each : without_outermost({from.g, from.f, true})) claims.push_back(each);
+    for (const Claim& each : claims) {
+      const Sides sides =
+          each.is_opposite ? Sides{each.right, each.left} : Sides{each.left, each.right};
+      // Formulations that differ in cheap operations only are of no use.
+      if (dear.insert(dear_operations(sides)).second) known.push_back(sides);
+    }
+  }
+  known.erase(known.begin());
+  if (known.size() > most_moves) known.resize(most_moves);
+  return known;
+}
+
+/// Copies nodes, and what is known of them, into a graph that has only those.
+class Copier {
+public:
+  explicit Copier(const Graph& from) : from_(from), copies_(from.nodes().size(), -1) {
+    for (std::size_t k = 0; k < from.inputs().size(); ++k) {
+      to_.input(from.inputs()[k]);
+      const auto format = from.arriving_format(static_cast<int>(k));
+      if (format) to_.arrives_in(static_cast<int>(k), *format);
+    }
+  }
+
+  /// None if the parts do not need every input, as a / c against 0 does not need c without the
+  /// quotient.
+  std::optional<Graph> compared(std::vector<Sides> parts);
+
+private:
+  NodeId copy(NodeId id);
+  NodeId made(const Node& node);
+
+  const Graph& from_;
+  Graph to_;
+  std::vector<NodeId> copies_;
+};
+
+NodeId Copier::made(const Node& node) {
+  const auto operand = [&](int k) {
+    return k < arity(node.operation) ? copy(node.operands[static_cast<std::size_t>(k)]) : -1;
+  };
+  switch (node.operation) {
+    case Operation::input: return to_.input(from_.inputs()[static_cast<std::size_t>(node.input)]);
+    case Operation::constant: return to_.constant(node.value);
+    case Operation::function: return to_.apply(*node.function, operand(0));
+    default: {
+      const NodeId first = operand(0);
+      return to_.apply(node.operation, first, operand(1));
+    }
+  }
+}
+
+NodeId Copier::copy(NodeId id) {
+  NodeId& known = copies_[static_cast<std::size_t>(id)];
+  if (known >= 0) return known;
+  const NodeId made_one = made(from_.nodes()[static_cast<std::size_t>(id)]);
+  known = made_one;
+  const auto limits = from_.limits().find(id);
+  if (limits != from_.limits().end()) MIXCMP_CHECK(to_.limit(known, limits->second));
+  return known;
+}
+
+std::optional<Graph> Copier::compared(std::vector<Sides> parts) {
+  for (Sides& part : parts) part = {copy(part.f), copy(part.g)};
+  for (std::size_t id = 0; id < copies_.size(); ++id) {
+    if (from_.nodes()[id].operation == Operation::input && copies_[id] < 0) return std::nullopt;
+  }
+  to_.compare(std::move(parts), from_.combination());
+  return std::move(to_);
+}
+
+}  // namespace
+
+std::vector<Graph> moved(const Graph& graph, const std::vector<PossibleRange>& ranges) {
+  Mover mover(graph, ranges);
+  std::vector<std::vector<Sides>> of_parts;
+  std::size_t most = 0;
+  for (const Sides& part : graph.parts()) {
+    of_parts.push_back(mover.others(part));
+    most = std::max(most, of_parts.back().size());
+    of_parts.back().insert(of_parts.back().begin(), part);
+  }
+  std::vector<Graph> all;
+  for (std::size_t k = 1; k <= most; ++k) {
+    std::vector<Sides> parts;
+    for (const auto& others : of_parts) parts.push_back(others[std::min(k, others.size() - 1)]);
+    auto formulation = Copier(mover.graph()).compared(std::move(parts));
+    if (formulation) all.push_back(*std::move(formulation));
+  }
+  return all;
+}
+
+}  // namespace mixcmp::scene
