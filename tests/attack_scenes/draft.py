@@ -120,6 +120,8 @@ class Draft:
             options["truth"] = "all"
         if self.chance(0.1):
             options["judge"] = "mpfr"
+        if self.sides in ("functions", "quotients") and self.chance(0.4):
+            options["variant"] = "moved_1"
 
     def some(self, section, choices, share):
         for key, value in choices.items():

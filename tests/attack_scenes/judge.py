@@ -42,7 +42,16 @@ class Failure(Exception):
 
 
 def attack(scene, folder, program):
-    """Writes the scene into the folder, runs the program on it, and judges."""
+    """Writes the scene into the folder, runs the program on it, and judges. If it asks for a move
+    and has none, it is taken as it is written."""
+    outcome = _attacked(scene, folder, program)
+    if not outcome.refusal.startswith("comparison.variant"):
+        return outcome
+    del scene.options["variant"]
+    return _attacked(scene, folder, program)
+
+
+def _attacked(scene, folder, program):
     scene.write(folder)
     command = verify_command(scene, folder, program)
     try:
@@ -149,6 +158,8 @@ class Judge:
 
     def recomputed(self, inputs):
         """The verdict of a reference; None if this judge does not know it."""
+        if "variant" in self.scene.options and not self.is_exact:
+            return None  # a move rounds otherwise
         if not (self.is_exact or self.is_fixed):
             return self._combined(self.reference.verdicts(inputs))
         if self.is_exact and not all(map(is_finite, inputs.values())):

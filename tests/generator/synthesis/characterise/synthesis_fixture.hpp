@@ -139,8 +139,8 @@ protected:
     return devices::find_device(name).value();
   }
 
-  static const characterise::Router& router(const std::string& name) {
-    return *characterise::router_of(device(name));
+  static const characterise::Router& router(std::string_view name) {
+    return *characterise::router_of(device(std::string(name)));
   }
 
   Result<characterise::SynthesisResult> run(const char* text, const devices::Device& device,
