@@ -123,10 +123,16 @@ public:
     const auto registers = registers_.find(&instance);
     return {.instance = with_longer_line(instance),
             .absorbed_registers = registers == registers_.end() ? 0 : registers->second,
-            .is_absorbed = sums_.contains(&instance)};
+            .is_absorbed = sums_.contains(&instance),
+            .kept_registers = kept_registers(instance)};
   }
 
 private:
+  static int kept_registers(const Instance& sum) {
+    const bool keeps = sum.module == "fixed_sum" && number(sum, "DROPPED") > 0;
+    return keeps && ends_in_register(sum) ? number(sum, "WIDTH") : 0;
+  }
+
   void pack(const Instance& product) {
     pack_operand(product, "a");
     if (number(product, "SQUARE") == 0) pack_operand(product, "b");
@@ -134,8 +140,8 @@ private:
     const Operand* const result = pin(product, "y");
     const std::string* const net = result == nullptr ? nullptr : net_of(*result);
     const Instance* const sum = net == nullptr ? nullptr : nets_.reader(*net);
-    const bool is_sum = sum != nullptr && sum->module == "fixed_sum" &&
-                        number(*sum, "SUBTRACT") == 0 && number(*sum, "DROPPED") == 0;
+    const bool is_sum =
+        sum != nullptr && sum->module == "fixed_sum" && number(*sum, "SUBTRACT") == 0;
     if (is_sum) sums_.insert(sum);
   }
 

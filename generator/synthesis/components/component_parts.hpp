@@ -13,8 +13,9 @@ struct Part {
   rtl::TemplateInstance instance;
   /// Registers behind it that an embedded multiplier, its only reader, has inside.
   int absorbed_registers = 0;
-  /// Whether the adder behind a multiplier takes it, with its register.
+  /// Whether the adder behind a multiplier takes it, with its register unless that has fewer bits.
   bool is_absorbed = false;
+  int kept_registers = 0;  ///< of an absorbed sum
 };
 
 /// The parts of a component's hardware.
@@ -27,8 +28,8 @@ struct ComponentParts {
 ///
 /// Yosys packs for DSP48: up to two registers in front of a multiplier's operands that nothing else
 /// reads except a delay line, which gets its own, and a sum that is the only reader of the product
-/// behind one register, with the sum's own register (xilinx_dsp of Yosys 0.23). Parts say which
-/// those would be.
+/// behind one register, with the sum's own register if that holds the whole sum (xilinx_dsp of Yosys
+/// 0.23). Parts say which those would be.
 ComponentParts parts_of(const std::vector<rtl::Module>& modules);
 
 /// An instance as a unit: with all parameters of the template, and last EMBEDDED_PRODUCTS, the

@@ -351,7 +351,8 @@ FixedNode FixedGraphBuilder::itself(FixedNode node) const {
 }
 
 /// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
-/// that they have no error.
+/// that they have no error. To cut a product or its sum with a coefficient is the same; a sum with
+/// the whole product can be that of the adder in a multiplier block.
 NodeId FixedGraphBuilder::polynomial(const Function& function, const function::Piecewise& piecewise,
                                      NodeId argument) {
   const auto [address, t] = place_of(function, piecewise, argument);
@@ -359,10 +360,15 @@ NodeId FixedGraphBuilder::polynomial(const Function& function, const function::P
   for (int k = piecewise.degree() - 1; k >= 0; --k) {
     const NodeId constant = coefficient(function, piecewise, k, address);
     FixedNode product = exactly(Operation::multiply, sum, t);
-    drop_bits(product, piecewise.coefficients[static_cast<std::size_t>(k)].format.unit_exponent -
-                           product.format.unit_exponent);
+    const int dropped = nodes_[constant].format.unit_exponent - product.format.unit_exponent;
+    constexpr int most_bits = 48;  // of the adder in Xilinx' DSP48
+    const bool is_added_in_block =
+        options_.products == function::ProductKind::embedded && product.format.width < most_bits;
+    if (!is_added_in_block) drop_bits(product, dropped);
     const NodeId multiple = add(itself(std::move(product)));
-    sum = add(exactly(Operation::add, constant, multiple));
+    FixedNode next = exactly(Operation::add, constant, multiple);
+    if (is_added_in_block) drop_bits(next, dropped);
+    sum = add(itself(std::move(next)));
   }
   return sum;
 }

@@ -196,13 +196,14 @@ TEST_F(FixedOperandsTest, ReferencesAreNotFolded) {
 TEST_F(FixedOperandsTest, WhatCannotBeExactSaysWhy) {
   const std::string root =
       "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
-      "\"*\" = { format = \"uint10\" }\n[reduced]\nformat = \"exact\"\n";
+      "a = { format = \"uint10\" }\nb = { format = \"int10\" }\n[reduced]\n"
+      "format = \"exact\"\n";
   EXPECT_EQ(error(root),
             ": reference.format: no reference is exact: square roots are rounded: received "
             "sqrt(a); accepted the squares of both sides, or a format such as s53e11");
   EXPECT_EQ(
       error(root + "[reference]\nformat = \"s40e8\"\n"),
-      ":8: reduced.format: no lane is exact: square roots are rounded: received \"exact\" with "
+      ":9: reduced.format: no lane is exact: square roots are rounded: received \"exact\" with "
       "sqrt in f or g; accepted the squares of both sides, or a format such as q13");
 }
 
