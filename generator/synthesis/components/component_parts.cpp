@@ -110,6 +110,28 @@ const Operand* pin(const Instance& instance, const char* port) {
   return nullptr;
 }
 
+/// The zeros at the end of an operand.
+int low_zeros(const Instance& instance, const char* port) {
+  const Operand* const operand = pin(instance, port);
+  const auto* all = operand == nullptr ? nullptr : std::get_if<Concatenation>(&(*operand)->node);
+  const auto* zeros = all == nullptr ? nullptr : std::get_if<Zeros>(&all->parts.back()->node);
+  return zeros == nullptr ? 0 : zeros->width;
+}
+
+/// A sum whose low bits are dropped where one operand has zeros: no carry comes from there.
+TemplateInstance without_low_zeros(const Instance& sum) {
+  TemplateInstance result{sum.module, sum.parameters};
+  const int zeros = std::max(low_zeros(sum, "a"), low_zeros(sum, "b"));
+  const int unused = std::min(zeros, number(sum, "DROPPED"));
+  if (unused == 0 || number(sum, "SUBTRACT") != 0) return result;
+  for (Parameter& parameter : result.parameters) {
+    const bool shrinks =
+        parameter.name == "A_WIDTH" || parameter.name == "B_WIDTH" || parameter.name == "DROPPED";
+    if (shrinks) parameter.value = number(sum, parameter.name.c_str()) - unused;
+  }
+  return result;
+}
+
 /// Finds out which instances of a module multipliers absorb.
 class Packing {
 public:
@@ -121,7 +143,7 @@ public:
 
   Part part(const Instance& instance) const {
     const auto registers = registers_.find(&instance);
-    return {.instance = with_longer_line(instance),
+    return {.instance = as_synthesised(instance),
             .absorbed_registers = registers == registers_.end() ? 0 : registers->second,
             .is_absorbed = sums_.contains(&instance),
             .kept_registers = kept_registers(instance)};
@@ -145,7 +167,9 @@ private:
     if (is_sum) sums_.insert(sum);
   }
 
-  TemplateInstance with_longer_line(const Instance& instance) const {
+  /// The instance with the parameters of what synthesis leaves of it.
+  TemplateInstance as_synthesised(const Instance& instance) const {
+    if (instance.module == "fixed_sum") return without_low_zeros(instance);
     TemplateInstance result{instance.module, instance.parameters};
     const auto longer = longer_.find(&instance);
     if (longer == longer_.end()) return result;

@@ -350,6 +350,12 @@ FixedNode FixedGraphBuilder::itself(FixedNode node) const {
   return node;
 }
 
+/// Whether one multiplier of Xilinx' DSP48 takes these factors, of which t has no sign.
+bool fits_block(const FixedNode& factor, const FixedNode& t) {
+  const int bits = factor.format.magnitude_bits(), t_bits = t.format.width;
+  return std::min(bits, t_bits) <= 17 && std::max(bits, t_bits) <= 24;
+}
+
 /// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
 /// that they have no error. To cut a product or its sum with a coefficient is the same; a sum with
 /// the whole product can be that of the adder in a multiplier block.
@@ -361,9 +367,8 @@ NodeId FixedGraphBuilder::polynomial(const Function& function, const function::P
     const NodeId constant = coefficient(function, piecewise, k, address);
     FixedNode product = exactly(Operation::multiply, sum, t);
     const int dropped = nodes_[constant].format.unit_exponent - product.format.unit_exponent;
-    constexpr int most_bits = 48;  // of the adder in Xilinx' DSP48
     const bool is_added_in_block =
-        options_.products == function::ProductKind::embedded && product.format.width < most_bits;
+        options_.products == function::ProductKind::embedded && fits_block(nodes_[sum], nodes_[t]);
     if (!is_added_in_block) drop_bits(product, dropped);
     const NodeId multiple = add(itself(std::move(product)));
     FixedNode next = exactly(Operation::add, constant, multiple);

@@ -228,21 +228,25 @@ class Candidate {
 public:
   /// `arguments`: those of the pieces, as numbers.
   Candidate(Function function, Range arguments, Pieces pieces, int degree, int guard_bits,
-            int unit_exponent)
+            int unit_exponent, int coarse_bits = 0)
       : function_(std::move(function)),
         arguments_(std::move(arguments)),
         pieces_(std::move(pieces)),
         degree_(degree),
         guard_bits_(guard_bits),
+        coarse_bits_(coarse_bits),
         unit_(unit_exponent) {
     // Powers of t below 1 in magnitude need no coarser units for higher coefficients.
     const int span_exponent =
         pieces_.span() == 0 ? 0 : static_cast<int>(floor_log2(pieces_.span())) + 1;
-    for (int k = 0; k <= degree_; ++k) units_.push_back(unit_ - guard_bits_ - k * span_exponent);
+    for (int k = 0; k <= degree_; ++k) {
+      units_.push_back(unit_ - guard_bits_ - k * span_exponent + (k > 0 ? coarse_bits_ : 0));
+    }
   }
 
   int degree() const { return degree_; }
   int guard_bits() const { return guard_bits_; }
+  int coarse_bits() const { return coarse_bits_; }
   bool is_floating() const { return pieces_.is_floating; }
   bool has_starts() const { return !pieces_.starts.empty(); }
   int address_bits() const { return pieces_.address_bits(); }
@@ -354,7 +358,7 @@ private:
   Function function_;
   Range arguments_;
   Pieces pieces_;
-  int degree_, guard_bits_, unit_;
+  int degree_, guard_bits_, coarse_bits_, unit_;
   std::vector<int> units_;  ///< of s[k] and c[k]
   std::optional<Range> error_;
   std::vector<std::pair<std::size_t, std::vector<mpz_class>>> words_;  ///< by address, of pieces
@@ -403,6 +407,7 @@ private:
 struct Shape {
   bool is_floating;
   int degree, guard_bits;
+  int coarse_bits;  ///< of coefficients of t and its powers, beyond guard bits
 };
 
 /// The candidate of a shape with the fewest pieces, `address_bits` or more, that may do.
@@ -418,7 +423,7 @@ std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int
     if (shape.degree > 0 && piece_bits == 0) break;
     Candidate made(wanted.function, wanted.arguments(),
                    Pieces(argument, shape.is_floating, piece_bits, wanted.least, wanted.greatest),
-                   shape.degree, shape.guard_bits, wanted.unit_exponent);
+                   shape.degree, shape.guard_bits, wanted.unit_exponent, shape.coarse_bits);
     if (made.may_do()) return made;
   }
   return std::nullopt;
@@ -432,7 +437,10 @@ std::vector<Shape> shapes_of(const Wanted& wanted, int degree) {
     if (is_floating && !wanted.may_be_floating()) continue;
     const int most = most_guard_bits(degree);
     for (int guard_bits = std::max(0, most - 1); guard_bits <= most; ++guard_bits) {
-      shapes.push_back({is_floating, degree, guard_bits});
+      const int most_coarse = degree > 0 && wanted.products == ProductKind::logic ? 2 : 0;
+      for (int coarse_bits = 0; coarse_bits <= most_coarse; ++coarse_bits) {
+        shapes.push_back({is_floating, degree, guard_bits, coarse_bits});
+      }
     }
   }
   return shapes;
@@ -465,7 +473,8 @@ std::optional<Piecewise> search(const Wanted& wanted) {
           return a.area(wanted.products) < b.area(wanted.products);
         });
     if (auto made = best->certified()) return made;
-    const Shape shape{best->is_floating(), best->degree(), best->guard_bits()};
+    const Shape shape{best->is_floating(), best->degree(), best->guard_bits(),
+                      best->coarse_bits()};
     const bool has_starts = best->has_starts();
     const int address_bits = best->address_bits() + 1;
     open.erase(best);
