@@ -50,7 +50,7 @@ TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
   expect_refused("check device.toml", "device.toml:4: system.device: unknown device");
   expect_refused("generate scene.toml --set system.lanes=auto", "mixcmp: --set: system.lanes: ");
   expect_refused("generate scene.toml --lanes auto", "mixcmp: --lanes: system.lanes: is not");
-  expect_refused("check scene.toml --variant none", "mixcmp: --variant: comparison.variant: ");
+  expect_refused("check scene.toml --variant root", "mixcmp: --variant: comparison.variant: ");
   expect_refused("generate scene.toml --format s8e8 --set reduced.bound=certain",
                  "mixcmp: --set: reduced.bound: ");
   std::ofstream(path("undecided.toml"))

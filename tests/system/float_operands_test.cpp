@@ -218,7 +218,7 @@ module tb;
     bench += fmt::format("    a = {}; b = 32'h{:08x}; #80 $display(\"%0d\", verdict);\n", word,
                          std::bit_cast<std::uint32_t>(number));
   }
-  return bench + "    $finish;\n  end\nendmodule\n";
+  return bench + "    $finish(0);\n  end\nendmodule\n";
 }
 
 /// The number of a word, by the tables of OFP8: E4M3 has a NaN of all ones and no infinity, E5M2

@@ -473,8 +473,7 @@ std::optional<Piecewise> search(const Wanted& wanted) {
           return a.area(wanted.products) < b.area(wanted.products);
         });
     if (auto made = best->certified()) return made;
-    const Shape shape{best->is_floating(), best->degree(), best->guard_bits(),
-                      best->coarse_bits()};
+    const Shape shape{best->is_floating(), best->degree(), best->guard_bits(), best->coarse_bits()};
     const bool has_starts = best->has_starts();
     const int address_bits = best->address_bits() + 1;
     open.erase(best);
