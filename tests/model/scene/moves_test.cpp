@@ -72,6 +72,7 @@ TEST(Moves, WhatRangesDoNotProveStays) {
   EXPECT_EQ(moves("sqrt(a)", "b", {Range{-1, 2}, positive}), Texts{}) << "may be unordered";
   EXPECT_EQ(moves("a / c", "b", {any, not_negative, any}), Texts{});
   EXPECT_EQ(moves("exp(a)", "b", {any, not_negative}), Texts{});
+  EXPECT_EQ(moves("a^-1.5", "b", {positive, positive}), Texts{});
   EXPECT_EQ(moves("atan(a)", "b", {any, any}), Texts{});
   EXPECT_EQ(moves("tan(a)", "b", {any, any}), Texts{});
   EXPECT_EQ(moves("tan(a)", "b", {Range{-1, 1}, any}), Texts{"a against atan(b)"});
@@ -212,6 +213,8 @@ TEST_F(MovedScenes, AreVariantsOfAScene) {
 TEST_F(MovedScenes, ReferencesHaveNoNewException) {
   EXPECT_EQ(variants(scene("sqrt(a)", "b", "range = [1, 60000]", "s11e5")), Texts{});
   EXPECT_EQ(variants(scene("sqrt(a)", "b", "range = [1, 60000]", "s24e8")), Texts{"moved_1"});
+  EXPECT_EQ(variants(scene("0.001 * sqrt(a)", "b", "range = [1, 2]", "s24e4")), Texts{})
+      << "0.001^2 is no number of the format";
 }
 
 TEST_F(MovedScenes, StandForComparisonsThatNoReferenceComputes) {
@@ -233,9 +236,11 @@ TEST_F(MovedScenes, StandForComparisonsThatNoReferenceComputes) {
 
 /// Factors of roots move as their squares, not as reciprocals, which no format may hold.
 TEST_F(MovedScenes, ExactReferencesStayExact) {
-  const auto moved = load(scene("a / 3", "sqrt(b)", "format = \"uint8\"", ""));
+  const std::string text = scene("a / 3", "sqrt(b)", "format = \"uint8\"", "");
+  const auto moved = load(text);
   ASSERT_TRUE(moved.ok()) << moved.error().to_string();
   EXPECT_EQ(moved->f_text() + " against " + moved->g_text(), "a^2 against b * 9");
+  EXPECT_FALSE(load(text, {"comparison.variant=moved_1"}).ok()) << "a against 3 sqrt(b)";
 }
 
 }  // namespace
