@@ -167,7 +167,7 @@ struct Move {
   Graph graph;
 };
 
-/// A scene with variants of its own has none, nor one that says "none".
+/// None for scenes with [[variant]] or with comparison.variant = "none".
 std::vector<Move> moves_of(const Formulations& formulations, const ComparisonSpec& comparison,
                            const std::vector<std::optional<Range>>& ranges) {
   const auto name_of = [](std::size_t k) { return fmt::format("moved_{}", k + 1); };
@@ -246,8 +246,8 @@ Result<ReferenceSpec> read_possible_reference(const settings::Settings& settings
     if (!formulations.move.empty() && formulations.move != move.name) continue;
     const auto reference = read_reference(settings, std::span(&move.graph, 1), declared);
     if (!reference.ok()) continue;
-    notes.push_back(fmt::format("{} stands for [comparison], of which {}", move.name,
-                                as_written.error().message));
+    notes.push_back(fmt::format("no reference computes [comparison] ({}): {} is used instead",
+                                as_written.error().message, move.name));
     take(std::move(move), comparison);
     return reference;
   }
@@ -282,10 +282,9 @@ Result<std::vector<std::string>> settle_move(const settings::Settings& settings,
   if (!is_open) return names;
   if (chosen) {
     notes.push_back(
-        fmt::format("{} orders real numbers as [comparison] does, within the ranges of the inputs; "
-                    "references round its own operations. comparison.variant = \"{}\" keeps "
-                    "[comparison] as it is written",
-                    chosen->name, no_variant));
+        fmt::format("{} replaces [comparison]: within the ranges both order real numbers alike; "
+                    "references may differ where f and g are nearly equal",
+                    chosen->name));
     take(*std::move(chosen), comparison);
     return names;
   }

@@ -19,9 +19,8 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
 Result<Done> check_reference_holds(const settings::Settings& settings, const Graph& graph,
                                    const ReferenceSpec& reference, std::vector<std::string>& notes);
 
-/// Reads [reference]. A comparison that no reference can compute as it is written is replaced by
-/// the first move that one can compute, which a note names: roots and quotients of integers have no
-/// exact reference, their squares and products have.
+/// Reads [reference]. If no reference can compute [comparison], the first move that has one
+/// replaces it, with a note: roots of integers have no exact reference, squares have.
 Result<ReferenceSpec> read_possible_reference(const settings::Settings& settings,
                                               const Formulations& formulations,
                                               std::span<const Graph> graphs,
@@ -29,10 +28,9 @@ Result<ReferenceSpec> read_possible_reference(const settings::Settings& settings
                                               ComparisonSpec& comparison,
                                               std::vector<std::string>& notes);
 
-/// Puts the move that comparison.variant names into the place of its comparison. Returns the names
-/// of all variants or, in a scene without [[variant]], of all moves. Moves are those which the
-/// reference can compute without an exceptional event that the reference of [comparison] is free
-/// of. `operand_formats`: one for each input.
+/// Replaces the comparison by the move that comparison.variant names. Returns the names of all
+/// variants or, in a scene without [[variant]], of all moves whose reference adds no kind of
+/// exceptional event. `operand_formats`: one for each input.
 Result<std::vector<std::string>> settle_move(const settings::Settings& settings,
                                              const Formulations& formulations,
                                              const ReferenceSpec& reference,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/comparison/expression/range.hpp"
 #include "model/lane/function/taylor.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using PossibleRange = std::optional<Range>;
 
-/// Between the poles of tan that are next to 0, +-pi / 2.
+/// Between the poles of tan at +-pi / 2: tan grows.
 const Range tan_branch = {mpq_class(-157, 100), mpq_class(157, 100)};
 
 bool is_within(const Range& inner, const Range& outer) {
@@ -85,6 +86,27 @@ std::optional<Function> inverse_of(const Function& function) {
   MIXCMP_CHECK(false);
 }
 
+bool is_expensive(Operation operation) {
+  return operation == Operation::divide || operation == Operation::square_root ||
+         operation == Operation::function;
+}
+
+/// Encloses the numbers that lanes take for those of the declared ranges. A lane checks sign and
+/// size: in fixed point up to the next power of two, in floating point up to 9 / 8 of the range.
+std::vector<PossibleRange> accepted_by_lanes(const std::vector<PossibleRange>& declared) {
+  std::vector<PossibleRange> accepted;
+  for (const PossibleRange& range : declared) {
+    accepted.push_back(range);
+    if (!range) continue;
+    const mpq_class greatest = absolute(*range).high;
+    const int exponent = greatest == 0 ? 0 : static_cast<int>(floor_log2(greatest)) + 1;
+    const mpq_class most = std::max<mpq_class>(power_of_two(exponent), greatest * 9 / 8);
+    accepted.back() = Range{range->low < 0 ? mpq_class(-most) : mpq_class(0),
+                            range->high > 0 ? most : mpq_class(0)};
+  }
+  return accepted;
+}
+
 /// "The order of scale * left and right", or the opposite order.
 struct Claim {
   NodeId left, right;
@@ -95,8 +117,8 @@ struct Claim {
 /// Moves operations from one side of a part to the other, in a graph that grows.
 class Mover {
 public:
-  Mover(const Graph& graph, const std::vector<PossibleRange>& ranges)
-      : graph_(graph), input_ranges_(ranges) {}
+  Mover(const Graph& graph, const std::vector<PossibleRange>& declared)
+      : graph_(graph), declared_{declared, {}}, accepted_{accepted_by_lanes(declared), {}} {}
 
   const Graph& graph() const { return graph_; }
   /// Up to `most_moves` other formulations of a part.
@@ -107,12 +129,30 @@ private:
   const mpq_class* constant_of(NodeId id) const {
     return node(id).operation == Operation::constant ? &node(id).value : nullptr;
   }
-  const PossibleRange& range(NodeId id);
-  bool has(NodeId id, const Range& limits) { return range(id) && is_within(*range(id), limits); }
-  /// Whether an operation may disappear: a lane may be undecided beyond the limits of a node.
+  /// Ranges of the inputs, and of the first nodes.
+  struct Ranges {
+    std::vector<PossibleRange> inputs, nodes;
+  };
+  const PossibleRange& range(NodeId id, Ranges& ranges);
+  /// Whether all values are within limits if the inputs have numbers that lanes accept.
+  bool has(NodeId id, const Range& limits) {
+    const PossibleRange& values = range(id, accepted_);
+    return values && is_within(*values, limits);
+  }
+  bool is_never_negative(NodeId id) {
+    const PossibleRange& values = range(id, accepted_);
+    return values && values->low >= 0;
+  }
+  bool has_value(const Function& function, NodeId argument) {
+    const PossibleRange& values = range(argument, declared_);
+    return values && has_value_in(function, *values);
+  }
+  /// False if the node has limits (`within`), which lanes check.
   bool may_leave(NodeId id) const { return !graph_.limits().contains(id); }
   /// -1 or 1 if all values are on that side of 0, otherwise 0.
   int sign_of(NodeId id);
+  /// Whether the function grows over its argument, and so does its inverse over the right side.
+  bool grows(const Function& function, NodeId argument, NodeId right);
 
   NodeId negated(NodeId a);
   NodeId sum(NodeId a, NodeId b);
@@ -128,33 +168,47 @@ private:
   std::optional<Claim> without_function(const Claim& claim);
   std::vector<Claim> without_cheap(const Claim& claim);
   /// The roots, quotients and functions that a part needs.
-  std::set<NodeId> dear_operations(const Sides& part) const;
+  std::set<NodeId> expensive_operations(const Sides& part) const;
+  /// Whether sums, differences, negations and products on the way from a node end at such an
+  /// operation.
+  bool leads_to_expensive(NodeId id);
 
   Graph graph_;
-  const std::vector<PossibleRange>& input_ranges_;
-  std::vector<PossibleRange> ranges_;  ///< of the first nodes
+  Ranges declared_, accepted_;
+  std::set<NodeId> seen_;       ///< left sides of the search for an expensive operation
+  std::vector<bool> leads_on_;  ///< of the first nodes: see leads_to_expensive
 };
 
-const PossibleRange& Mover::range(NodeId id) {
+const PossibleRange& Mover::range(NodeId id, Ranges& ranges) {
   const auto of = [&](NodeId operand) {
-    return operand < 0 ? PossibleRange() : ranges_[static_cast<std::size_t>(operand)];
+    return operand < 0 ? PossibleRange() : ranges.nodes[static_cast<std::size_t>(operand)];
   };
-  for (auto next = static_cast<NodeId>(ranges_.size()); next <= id; ++next) {
+  for (auto next = static_cast<NodeId>(ranges.nodes.size()); next <= id; ++next) {
     const Node& each = node(next);
     if (each.operation == Operation::input) {
-      ranges_.push_back(input_ranges_[static_cast<std::size_t>(each.input)]);
+      ranges.nodes.push_back(ranges.inputs[static_cast<std::size_t>(each.input)]);
     } else if (each.operation == Operation::constant) {
-      ranges_.push_back(Range{each.value, each.value});
+      ranges.nodes.push_back(Range{each.value, each.value});
     } else {
-      ranges_.push_back(value_range(each, of(each.operands[0]), of(each.operands[1])));
+      ranges.nodes.push_back(value_range(each, of(each.operands[0]), of(each.operands[1])));
     }
   }
-  return ranges_[static_cast<std::size_t>(id)];
+  return ranges.nodes[static_cast<std::size_t>(id)];
 }
 
 int Mover::sign_of(NodeId id) {
-  if (!range(id)) return 0;
-  return range(id)->low > 0 ? 1 : range(id)->high < 0 ? -1 : 0;
+  const PossibleRange& values = range(id, declared_);
+  if (!values) return 0;
+  return values->low > 0 ? 1 : values->high < 0 ? -1 : 0;
+}
+
+bool Mover::grows(const Function& function, NodeId argument, NodeId right) {
+  switch (function.kind()) {
+    case Function::power: return is_never_negative(argument) && is_never_negative(right);
+    case Function::tan: return has(argument, tan_branch);
+    case Function::atan: return has(right, tan_branch);
+    default: return true;
+  }
 }
 
 NodeId Mover::negated(NodeId a) {
@@ -198,13 +252,14 @@ NodeId Mover::square(NodeId a) {
   return constant_of(a) != nullptr ? product(a, a) : graph_.apply(Operation::square, a);
 }
 
-/// The function's value where it is defined, as the parser writes it.
+/// Applies a function. Its inverse is undone, and small whole powers are products, as the parser
+/// writes them.
 NodeId Mover::applied(const Function& function, NodeId a) {
   const auto undone = inverse_of(function);
   const bool is_function = node(a).operation == Operation::function && may_leave(a);
   if (is_function && undone && *node(a).function == *undone) {
     const NodeId argument = node(a).operands[0];
-    if (undone->kind() != Function::tan || has(argument, tan_branch)) return argument;
+    if (grows(*undone, argument, a)) return argument;
   }
   constexpr int most_whole_power = 16;
   const bool is_power = function.kind() == Function::power;
@@ -240,7 +295,6 @@ std::optional<Claim> Mover::without_quotient(const Claim& claim) {
 
 std::optional<Claim> Mover::without_root(const Claim& claim) {
   const NodeId radicand = node(claim.left).operands[0];
-  const auto is_never_negative = [&](NodeId id) { return range(id) && range(id)->low >= 0; };
   if (!is_never_negative(radicand) || !is_never_negative(claim.right)) return std::nullopt;
   const mpz_class& num = claim.scale.get_num();
   const mpz_class& den = claim.scale.get_den();
@@ -252,12 +306,10 @@ std::optional<Claim> Mover::without_function(const Claim& claim) {
   const NodeId right = scaled(claim.right, 1 / claim.scale);
   const Function function = *node(claim.left).function;
   const auto inverse = inverse_of(function);
-  if (!inverse || !range(argument) || !range(right)) return std::nullopt;
-  if (!has_value_in(function, *range(argument)) || !has_value_in(*inverse, *range(right))) {
+  if (!inverse || !has_value(function, argument) || !has_value(*inverse, right)) {
     return std::nullopt;
   }
-  if (function.kind() == Function::tan && !has(argument, tan_branch)) return std::nullopt;
-  if (function.kind() == Function::atan && !has(right, tan_branch)) return std::nullopt;
+  if (!grows(function, argument, right)) return std::nullopt;
   return Claim{argument, applied(*inverse, right), claim.is_opposite};
 }
 
@@ -286,9 +338,9 @@ std::vector<Claim> Mover::without_cheap(const Claim& claim) {
   }
 }
 
-/// The claims in which the left side's first root, quotient or function from outside has moved.
+/// The claims after the outermost root, quotient or function of the left side has moved.
 std::vector<Claim> Mover::without_outermost(const Claim& claim) {
-  if (!may_leave(claim.left)) return {};
+  if (!may_leave(claim.left) || !seen_.insert(claim.left).second) return {};
   std::optional<Claim> moved;
   switch (node(claim.left).operation) {
     case Operation::divide: moved = without_quotient(claim); break;
@@ -296,6 +348,7 @@ std::vector<Claim> Mover::without_outermost(const Claim& claim) {
     case Operation::function: moved = without_function(claim); break;
     default: {
       std::vector<Claim> all;
+      if (!leads_to_expensive(claim.left)) return all;
       for (const Claim& each : without_cheap(claim)) {
         for (const Claim& further : without_outermost(each)) all.push_back(further);
       }
@@ -305,36 +358,56 @@ std::vector<Claim> Mover::without_outermost(const Claim& claim) {
   return moved ? std::vector<Claim>{*moved} : std::vector<Claim>();
 }
 
-std::set<NodeId> Mover::dear_operations(const Sides& part) const {
-  std::set<NodeId> dear, seen;
+bool Mover::leads_to_expensive(NodeId id) {
+  for (auto next = static_cast<NodeId>(leads_on_.size()); next <= id; ++next) {
+    const Node& each = node(next);
+    bool leads = is_expensive(each.operation);
+    switch (each.operation) {
+      case Operation::negate:
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::multiply:
+        for (int k = 0; k < arity(each.operation); ++k) {
+          leads = leads || leads_on_[static_cast<std::size_t>(each.operands[k])];
+        }
+        break;
+      default: break;
+    }
+    leads_on_.push_back(leads);
+  }
+  return leads_on_[static_cast<std::size_t>(id)];
+}
+
+std::set<NodeId> Mover::expensive_operations(const Sides& part) const {
+  std::set<NodeId> found, seen;
   std::vector<NodeId> open = {part.f, part.g};
   while (!open.empty()) {
     const NodeId id = open.back();
     open.pop_back();
     if (!seen.insert(id).second) continue;
     const Operation operation = node(id).operation;
-    const bool is_dear = operation == Operation::divide || operation == Operation::square_root ||
-                         operation == Operation::function;
-    if (is_dear) dear.insert(id);
+    if (is_expensive(operation)) found.insert(id);
     for (int k = 0; k < arity(operation); ++k) {
       open.push_back(node(id).operands[static_cast<std::size_t>(k)]);
     }
   }
-  return dear;
+  return found;
 }
 
 std::vector<Sides> Mover::others(const Sides& part) {
   std::vector<Sides> known = {part};
-  std::set<std::set<NodeId>> dear = {dear_operations(part)};
+  std::set<std::set<NodeId>> expensive = {expensive_operations(part)};
   for (std::size_t next = 0; next < known.size() && known.size() <= most_moves; ++next) {
     const Sides from = known[next];
+    seen_.clear();
     std::vector<Claim> claims = without_outermost({from.f, from.g, false});
+    seen_.clear();
     for (const Claim& each : without_outermost({from.g, from.f, true})) claims.push_back(each);
     for (const Claim& each : claims) {
       const Sides sides =
           each.is_opposite ? Sides{each.right, each.left} : Sides{each.left, each.right};
-      // Formulations that differ in cheap operations only are of no use.
-      if (dear.insert(dear_operations(sides)).second) known.push_back(sides);
+      // Formulations that need the same expensive operations as a known one are of no use.
+      if (expensive.insert(expensive_operations(sides)).second) known.push_back(sides);
     }
   }
   known.erase(known.begin());
@@ -414,7 +487,10 @@ std::vector<Graph> moved(const Graph& graph, const std::vector<PossibleRange>& r
   std::vector<Graph> all;
   for (std::size_t k = 1; k <= most; ++k) {
     std::vector<Sides> parts;
-    for (const auto& others : of_parts) parts.push_back(others[std::min(k, others.size() - 1)]);
+    for (const auto& others : of_parts) {
+      const Sides& part = others[std::min(k, others.size() - 1)];
+      if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+    }
     auto formulation = Copier(mover.graph()).compared(std::move(parts));
     if (formulation) all.push_back(*std::move(formulation));
   }

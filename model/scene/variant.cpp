@@ -42,7 +42,8 @@ Result<std::string> read_name(const settings::Setting& table,
   section.text("name", name);
   for (const settings::Setting& entry : section.entries()) section.find(entry.key);
   if (const auto error = section.finish()) return *error;
-  const std::string problem = name_problem(name);
+  const std::string problem =
+      name == no_variant ? "comparison.variant = \"none\" means [comparison]" : name_problem(name);
   if (!problem.empty()) {
     return section.mistake("name", problem, in_quotes(name), std::string(accepted_names()));
   }

@@ -25,8 +25,8 @@ struct Formulation {
 
 struct Formulations {
   std::vector<Formulation> all;  ///< [comparison]'s own first, then variants in the file's order
-  std::size_t chosen = 0;        ///< index of comparison.variant's; 0: [comparison] or a move
-  /// comparison.variant if there is no [[variant]]; empty: it names none.
+  std::size_t chosen = 0;        ///< index of the named variant; 0: [comparison] or a move
+  /// The move that comparison.variant names; empty: none.
   std::string move = {};
   bool is_as_written = false;  ///< comparison.variant is no_variant
 };

@@ -168,7 +168,8 @@ void print_text(const std::vector<profile::VariantCheck>& checks) {
                             check.differences, first->index, to_string(first->variant),
                             to_string(first->given));
     }
-    print(fmt::format("  {:<18} {} comparisons: {}\n", check.variant, check.comparisons, verdict));
+    print(fmt::format("  {:<18} {} comparisons: {}\n", check.variant,
+                      check.comparisons - check.out_of_range, verdict));
     if (check.reference_differences == 0) continue;
     print(fmt::format("  {:<18} rounded in the reference format, {} differ\n", "",
                       check.reference_differences));
@@ -179,7 +180,7 @@ nlohmann::json to_json(const std::vector<profile::VariantCheck>& checks) {
   nlohmann::json report = nlohmann::json::array();
   for (const profile::VariantCheck& check : checks) {
     report.push_back({{"name", check.variant},
-                      {"comparisons", check.comparisons},
+                      {"comparisons", check.comparisons - check.out_of_range},
                       {"differences", check.differences},
                       {"untold", check.undetermined},
                       {"reference_differences", check.reference_differences}});

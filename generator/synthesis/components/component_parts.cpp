@@ -118,12 +118,13 @@ int low_zeros(const Instance& instance, const char* port) {
   return zeros == nullptr ? 0 : zeros->width;
 }
 
-/// A sum whose low bits are dropped where one operand has zeros: no carry comes from there.
+/// A sum without low bits that are dropped and 0 in one operand: no carry comes from them.
 TemplateInstance without_low_zeros(const Instance& sum) {
   TemplateInstance result{sum.module, sum.parameters};
   const int zeros = std::max(low_zeros(sum, "a"), low_zeros(sum, "b"));
-  const int unused = std::min(zeros, number(sum, "DROPPED"));
-  if (unused == 0 || number(sum, "SUBTRACT") != 0) return result;
+  const int unused = std::min(
+      {zeros, number(sum, "DROPPED"), number(sum, "A_WIDTH") - 1, number(sum, "B_WIDTH") - 1});
+  if (unused <= 0 || number(sum, "SUBTRACT") != 0) return result;
   for (Parameter& parameter : result.parameters) {
     const bool shrinks =
         parameter.name == "A_WIDTH" || parameter.name == "B_WIDTH" || parameter.name == "DROPPED";
@@ -167,7 +168,7 @@ private:
     if (is_sum) sums_.insert(sum);
   }
 
-  /// The instance with the parameters of what synthesis leaves of it.
+  /// The instance as synthesis reduces it.
   TemplateInstance as_synthesised(const Instance& instance) const {
     if (instance.module == "fixed_sum") return without_low_zeros(instance);
     TemplateInstance result{instance.module, instance.parameters};

@@ -13,9 +13,10 @@ struct Part {
   rtl::TemplateInstance instance;
   /// Registers behind it that an embedded multiplier, its only reader, has inside.
   int absorbed_registers = 0;
-  /// Whether the adder behind a multiplier takes it, with its register unless that has fewer bits.
+  /// Whether the adder of a multiplier block makes this sum. Its register is in the block if that
+  /// holds the whole sum.
   bool is_absorbed = false;
-  int kept_registers = 0;  ///< of an absorbed sum
+  int kept_registers = 0;  ///< of an absorbed sum, outside of the block
 };
 
 /// The parts of a component's hardware.

@@ -145,7 +145,9 @@ const Range& FixedGraphBuilder::declared(NodeId id) {
 std::optional<Range> FixedGraphBuilder::enclosed(NodeId id) {
   const Node& node = graph_.nodes()[id];
   switch (node.operation) {
-    case Operation::input: return options_.ranges[static_cast<std::size_t>(node.input)];
+    case Operation::input:
+      if (options_.ranges.empty()) return std::nullopt;
+      return options_.ranges[static_cast<std::size_t>(node.input)];
     case Operation::constant: return Range{node.value, node.value};
     case Operation::square_root: {
       const Range& radicand = declared(node.operands[0]);
@@ -357,8 +359,8 @@ bool fits_block(const FixedNode& factor, const FixedNode& t) {
 }
 
 /// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
-/// that they have no error. To cut a product or its sum with a coefficient is the same; a sum with
-/// the whole product can be that of the adder in a multiplier block.
+/// that they have no error. A coefficient has no bits below the cut of its product, so the cut of
+/// their sum gives the same number, and the adder of a multiplier block can make that sum.
 NodeId FixedGraphBuilder::polynomial(const Function& function, const function::Piecewise& piecewise,
                                      NodeId argument) {
   const auto [address, t] = place_of(function, piecewise, argument);

@@ -407,7 +407,7 @@ private:
 struct Shape {
   bool is_floating;
   int degree, guard_bits;
-  int coarse_bits;  ///< of coefficients of t and its powers, beyond guard bits
+  int coarse_bits;  ///< by which coefficients of t, t^2, ... are coarser than guard bits ask
 };
 
 /// The candidate of a shape with the fewest pieces, `address_bits` or more, that may do.

@@ -3,10 +3,26 @@
 #include <algorithm>
 
 #include "model/base/common/check.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "model/scene/reference_model.hpp"
 
 namespace mixcmp::profile {
+namespace {
+
+/// Whether all operands are numbers of the declared ranges.
+bool are_in_range(const scene::Scene& scene, const std::vector<Bits>& operands) {
+  const FloatFormat format = scene.reference.format;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    if (!scene.ranges[k]) continue;
+    if (!format.is_finite(operands[k])) return false;
+    const mpq_class number = to_rational(format, operands[k]);
+    if (number < scene.ranges[k]->low || number > scene.ranges[k]->high) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 VariantCheck check_variant(const scene::Scene& given, const scene::Scene& variant,
                            const data::Comparisons& data, std::uint64_t most,
@@ -22,6 +38,11 @@ VariantCheck check_variant(const scene::Scene& given, const scene::Scene& varian
     data.fetch(index, operands);
     if (progress && k % 1024 == 0) {
       progress(static_cast<double>(k) / static_cast<double>(check.comparisons));
+    }
+    // A move is another way to write the comparison only within the ranges.
+    if (given.variants_are_moves && !are_in_range(given, operands)) {
+      ++check.out_of_range;
+      continue;
     }
     const auto is = golden::verdict_within(given.graph, format, operands, checked_bits);
     const auto becomes = golden::verdict_within(variant.graph, format, operands, checked_bits);

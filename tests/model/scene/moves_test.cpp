@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <random>
+#include <utility>
 
 #include "model/comparison/expression/parser.hpp"
 #include "model/comparison/expression/text.hpp"
@@ -34,6 +35,10 @@ std::vector<std::string> moves(const std::string& f, const std::string& g, const
 
 using Texts = std::vector<std::string>;
 
+std::string first_of(const Texts& texts) {
+  return texts.empty() ? "none" : texts.front();
+}
+
 const Range any = {-100, 100}, positive = {1, 100}, not_negative = {0, 100}, negative = {-9, -1};
 
 TEST(Moves, OperationsLeaveTheirSide) {
@@ -57,16 +62,19 @@ TEST(Moves, SumsAndFactorsAroundThemGoFirst) {
 
 TEST(Moves, TheSameOnBothSidesLeavesTogether) {
   EXPECT_EQ(moves("sqrt(a)", "sqrt(b)", {positive, positive}), Texts{"a against b"});
-  EXPECT_EQ(moves("log(a)", "log(b)", {positive, positive})[0], "a against b");
-  EXPECT_EQ(moves("tan(a)", "tan(b)", {Range{-1, 1}, Range{-1, 1}})[0], "a against b");
-  EXPECT_EQ(moves("tan(a)", "tan(b)", {Range{-1, 1}, Range{2, 3}}),
-            Texts{"a against atan(tan(b))"});
-  EXPECT_EQ(moves("a / b", "c / d", {any, positive, any, positive})[0], "a * d against b * c");
-  EXPECT_EQ(moves("a / b", "c / d", {any, positive, any, negative})[0], "b * c against a * d");
-  EXPECT_EQ(moves("a / b", "c / d", {any, negative, any, negative})[0], "a * d against b * c");
+  EXPECT_EQ(first_of(moves("log(a)", "log(b)", {positive, positive})), "a against b");
+  const Range branch = {mpq_class(-9, 10), mpq_class(9, 10)};
+  EXPECT_EQ(first_of(moves("tan(a)", "tan(b)", {branch, branch})), "a against b");
+  EXPECT_EQ(moves("tan(a)", "tan(b)", {branch, Range{2, 3}}), Texts{"a against atan(tan(b))"});
+  EXPECT_EQ(first_of(moves("a / b", "c / d", {any, positive, any, positive})),
+            "a * d against b * c");
+  EXPECT_EQ(first_of(moves("a / b", "c / d", {any, positive, any, negative})),
+            "b * c against a * d");
+  EXPECT_EQ(first_of(moves("a / b", "c / d", {any, negative, any, negative})),
+            "a * d against b * c");
 }
 
-TEST(Moves, WhatRangesDoNotProveStays) {
+TEST(Moves, AreMadeOnlyIfRangesProveTheirCondition) {
   EXPECT_EQ(moves("sqrt(a)", "b", {not_negative, any}), Texts{});
   EXPECT_EQ(moves("sqrt(a)", "b", {not_negative, std::nullopt}), Texts{});
   EXPECT_EQ(moves("sqrt(a)", "b", {Range{-1, 2}, positive}), Texts{}) << "may be unordered";
@@ -75,11 +83,36 @@ TEST(Moves, WhatRangesDoNotProveStays) {
   EXPECT_EQ(moves("a^-1.5", "b", {positive, positive}), Texts{});
   EXPECT_EQ(moves("atan(a)", "b", {any, any}), Texts{});
   EXPECT_EQ(moves("tan(a)", "b", {any, any}), Texts{});
-  EXPECT_EQ(moves("tan(a)", "b", {Range{-1, 1}, any}), Texts{"a against atan(b)"});
+  const Range branch = {mpq_class(-9, 10), mpq_class(9, 10)};
+  EXPECT_EQ(moves("tan(a)", "b", {branch, any}), Texts{"a against atan(b)"});
+  EXPECT_EQ(moves("tan(a)", "b", {Range{-1, 1}, any}), Texts{}) << "a lane accepts 1.9";
+  EXPECT_EQ(moves("a^0.25", "b", {positive, Range{-4, 4}}), Texts{}) << "b^4 falls below 0";
+  EXPECT_EQ(moves("a", "b^20", {positive, Range{-2, 2}}), Texts{});
+  EXPECT_EQ(first_of(moves("a^(1/18)", "(b^18)^(1/18)", {positive, Range{-2, 2}})),
+            "a against b^18");
   EXPECT_EQ(moves("sin(a)", "b", {Range{-1, 1}, Range{-1, 1}}), Texts{});
   EXPECT_EQ(moves("within(sqrt(a), 0, 5)", "b", {positive, positive}), Texts{})
       << "comparisons beyond the limits may stay undecided";
   EXPECT_EQ(moves("a / c", "0", {any, positive}), Texts{}) << "c would have no use";
+}
+
+/// Each of the paths to the root would take years.
+TEST(Moves, AreFoundInSumsWithManyPaths) {
+  Graph graph;
+  const NodeId root = graph.apply(Operation::square_root, graph.input("a"));
+  NodeId before = root, last = graph.input("b");
+  for (int k = 0; k < 60; ++k) {
+    before = std::exchange(last, graph.apply(Operation::add, before, last));
+  }
+  graph.compare(last, graph.constant(0));
+  EXPECT_LE(scene::moved(graph, {positive, positive}).size(), scene::most_moves);
+}
+
+TEST(Moves, PartsThatBecomeEqualAreOne) {
+  const Graph graph = graph_of({{"sqrt(a)", "b"}, {"a", "b^2"}}, Combination::any);
+  const auto all = scene::moved(graph, {positive, positive});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(text_of(all[0]), "a against b^2");
 }
 
 TEST(Moves, EachPartHasItsOwn) {
@@ -225,8 +258,8 @@ TEST_F(MovedScenes, StandForComparisonsThatNoReferenceComputes) {
   EXPECT_EQ(moved->variant, "moved_1");
   ASSERT_FALSE(moved->notes.empty());
   EXPECT_EQ(moved->notes[0],
-            "moved_1 stands for [comparison], of which no reference is exact: square roots are "
-            "rounded");
+            "no reference computes [comparison] (no reference is exact: square roots are rounded): "
+            "moved_1 is used instead");
   EXPECT_FALSE(load(integers, {"comparison.variant=none"}).ok());
   EXPECT_TRUE(load(integers, {"comparison.variant=moved_1"}).ok());
   const auto without_logarithms = load(scene("log(a)", "log(b)", "range = [1, 9]", "s24e8"));

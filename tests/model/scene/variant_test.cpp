@@ -119,6 +119,7 @@ TEST_F(Variants, MistakesAreFoundInThoseNotChosenToo) {
             "scene.toml:7: variant bad, h: unknown key: ");
   EXPECT_EQ(error("[variant]\nname = \"x\"\n").substr(0, 46),
             "scene.toml:5: variant: not a list of tables: r");
+  EXPECT_EQ(error(variant("none", "f = \"x^2\"\n")).substr(0, 27), "scene.toml:6: variant.name:");
   EXPECT_EQ(error(variant("module", "f = \"x\"\n")).substr(0, 27), "scene.toml:6: variant.name:");
 }
 
