@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
-#include "model/base/number/exact.hpp"
+#include "model/base/number/dyadic.hpp"
 #include "model/comparison/expression/range.hpp"
 #include "model/lane/function/taylor.hpp"
 
@@ -117,8 +117,10 @@ struct Claim {
 /// Moves operations from one side of a part to the other, in a graph that grows.
 class Mover {
 public:
-  Mover(const Graph& graph, const std::vector<PossibleRange>& declared)
-      : graph_(graph), declared_{declared, {}}, accepted_{accepted_by_lanes(declared), {}} {}
+  Mover(Graph graph, const std::vector<PossibleRange>& declared)
+      : graph_(std::move(graph)),
+        declared_{declared, {}},
+        accepted_{accepted_by_lanes(declared), {}} {}
 
   const Graph& graph() const { return graph_; }
   /// Up to `most_moves` other formulations of a part.
