@@ -359,6 +359,19 @@ std::vector<bool> are_from_data(const InputDeclarations& declared) {
   return from_data;
 }
 
+/// Sets and checks what depends on several sections of a scene that has been read.
+Result<Done> complete(const settings::Settings& settings, Scene& scene) {
+  choose_references(scene);
+  MIXCMP_DO(check_chain_decides(settings, scene));
+  MIXCMP_DO(check_fixed_operands(settings, scene));
+  note_open_format(scene);
+  if (scene.reference_count() != 0) {
+    if (auto note = divider_note(scene.graph)) scene.notes.push_back(std::move(*note));
+  }
+  note_unused_keys(scene, settings, scene.notes);
+  return Done{};
+}
+
 Result<Scene> load_with(const SceneSource& source, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(source, overrides));
   MIXCMP_TRY(scene, interpret(std::move(read)));
@@ -421,14 +434,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  choose_references(scene);
-  MIXCMP_DO(check_chain_decides(settings, scene));
-  MIXCMP_DO(check_fixed_operands(settings, scene));
-  note_open_format(scene);
-  if (scene.reference_count() != 0) {
-    if (auto note = divider_note(scene.graph)) scene.notes.push_back(std::move(*note));
-  }
-  note_unused_keys(scene, settings, scene.notes);
+  MIXCMP_DO(complete(settings, scene));
   return scene;
 }
 

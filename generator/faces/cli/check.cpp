@@ -168,6 +168,8 @@ void print_text(const std::vector<profile::VariantCheck>& checks) {
                             check.differences, first->index, to_string(first->variant),
                             to_string(first->given));
     }
+    if (check.out_of_range == check.comparisons)
+      verdict = "none is within the ranges of the inputs";
     print(fmt::format("  {:<18} {} comparisons: {}\n", check.variant,
                       check.comparisons - check.out_of_range, verdict));
     if (check.reference_differences == 0) continue;

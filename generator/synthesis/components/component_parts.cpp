@@ -159,7 +159,8 @@ private:
   void pack(const Instance& product) {
     pack_operand(product, "a");
     if (number(product, "SQUARE") == 0) pack_operand(product, "b");
-    if (has_two_registers(product)) return;  // the second one takes the adder's place
+    // A second register takes the adder's place; a sum of upper bits is not that of the product.
+    if (has_two_registers(product) || number(product, "DROPPED") > 0) return;
     const Operand* const result = pin(product, "y");
     const std::string* const net = result == nullptr ? nullptr : net_of(*result);
     const Instance* const sum = net == nullptr ? nullptr : nets_.reader(*net);

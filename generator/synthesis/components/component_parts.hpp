@@ -28,9 +28,9 @@ struct ComponentParts {
 /// The parts of the last of these modules, which instantiates the others and templates.
 ///
 /// Yosys packs for DSP48: up to two registers in front of a multiplier's operands that nothing else
-/// reads except a delay line, which gets its own, and a sum that is the only reader of the product
-/// behind one register, with the sum's own register if that holds the whole sum (xilinx_dsp of
-/// Yosys 0.23). Parts say which those would be.
+/// reads except a delay line, which gets its own, and a sum that is the only reader of the whole
+/// product behind one register, with the sum's own register if that holds the whole sum (xilinx_dsp
+/// of Yosys 0.23). Parts say which those would be.
 ComponentParts parts_of(const std::vector<rtl::Module>& modules);
 
 /// An instance as a unit: with all parameters of the template, and last EMBEDDED_PRODUCTS, the

@@ -22,7 +22,7 @@ struct VariantCheck {
 
   std::string variant;
   std::uint64_t comparisons = 0;
-  /// Of a move: comparisons that are not checked, since an operand is outside of its range.
+  /// Comparisons of a move that are not checked, since an operand is outside of its range.
   std::uint64_t out_of_range = 0;
   /// The first comparison on which the variant's verdict differs, by the real numbers f and g;
   /// none: all verdicts agree.
