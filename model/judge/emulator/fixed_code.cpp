@@ -243,10 +243,26 @@ private:
       const int arriving = code_.layout.columns++;
       code_.layout.inputs.emplace_back(arriving, node(id).input);
       divide.cuts.push_back({.operand = arriving, .result = id});
+      if (fixed::is_encoding(node(id))) {
+        conversions.push_back(encoding(id, arriving));
+        continue;
+      }
       conversions.push_back(conversion(id, lane_.format.is_block ? id : arriving));
     }
     if (lane_.format.is_block) code_.instructions.push_back(std::move(divide));
     for (FixedInstruction& each : conversions) code_.instructions.push_back(std::move(each));
+  }
+
+  /// An operand's encoding as biased exponent and fraction. That of an operand below the normal
+  /// numbers is another than the hardware's, but the limit behind it accepts neither.
+  FixedInstruction encoding(NodeId id, int arriving) const {
+    return {.kernel = FixedKernel::floating,
+            .result = id,
+            .a = arriving,
+            .b = arriving,
+            .unit = power(node(id).format.unit_exponent),
+            .low = double(lane_.input_format.bias() - 1),
+            .high = 0};
   }
 
   FixedInstruction conversion(NodeId id, int from) const {
@@ -332,6 +348,7 @@ private:
       const FixedFormat& number = node(added.operands[0]).format;
       const int of_zero = function::FloatingCode{number.width}.offset() - 1;
       FixedInstruction& made = add_unary(FixedKernel::floating, id, added.operands[0]);
+      made.unit = power(-52);  // all bits of a double
       made.low = of_zero - number.unit_exponent;
       made.high = of_zero;
       return;

@@ -1,5 +1,6 @@
 #include "model/judge/emulator/fixed_kernels.hpp"
 
+#include <cmath>
 #include <utility>
 
 // On x86 only the baseline, AVX2 and AVX-512 are worth their compile time. Arrays of vectors, as
@@ -193,13 +194,13 @@ HWY_INLINE Vec look_up(const std::vector<double>& words, Vec integer) {
   return hn::MulAdd(integer, hn::Zero(Tag()), word);
 }
 
-/// e + m + offset for a = 2^e m with 1 <= m < 2, of_zero for 0; a NaN for a NaN. An integer below
-/// 2^52 joined to the bits of 2^52 is their sum.
-HWY_INLINE Vec floating_code(Vec a, Vec offset, Vec of_zero) {
+/// e + m + offset for a = 2^e m with 1 <= m < 2, of_zero for 0; a NaN for a NaN. m has the
+/// fraction's bits of `kept`. An integer below 2^52 joined to the bits of 2^52 is their sum.
+HWY_INLINE Vec floating_code(Vec a, std::uint64_t kept, Vec offset, Vec of_zero) {
   const Vec one = hn::Set(Tag(), 1), large = hn::Set(Tag(), 0x1p52);
   const Words words;
   const auto bits = hn::BitCast(words, a);
-  const auto fraction = hn::And(bits, hn::Set(words, (std::uint64_t{1} << 52) - 1));
+  const auto fraction = hn::And(bits, hn::Set(words, kept));
   const Vec significand = hn::BitCast(Tag(), hn::Or(fraction, hn::BitCast(words, one)));
   const auto biased = hn::Or(hn::ShiftRight<52>(bits), hn::BitCast(words, large));
   const Vec exponent = hn::Sub(hn::BitCast(Tag(), biased), hn::Set(Tag(), 0x1p52 + 1023));
@@ -282,9 +283,11 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
                       HWY_ATTR { return hn::NegMulAdd(hn::Floor(hn::Mul(a, per_unit)), unit, a); });
     }
     case FixedKernel::floating: {
+      const auto dropped = static_cast<std::uint64_t>(std::ldexp(instruction.unit, 52));
+      const std::uint64_t kept = (std::uint64_t{1} << 52) - dropped;
       const Vec offset = hn::Set(Tag(), instruction.low);
       const Vec of_zero = hn::Set(Tag(), instruction.high);
-      return each([&](Vec a, Vec) HWY_ATTR { return floating_code(a, offset, of_zero); });
+      return each([&](Vec a, Vec) HWY_ATTR { return floating_code(a, kept, offset, of_zero); });
     }
     case FixedKernel::look_up: {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);

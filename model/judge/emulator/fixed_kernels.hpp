@@ -42,7 +42,8 @@ enum class FixedKernel : std::uint8_t {
   square_root,  ///< of a, rounded to nearest
   truncate,     ///< a, rounded down to a multiple of `unit`
   place,        ///< by how much a exceeds that
-  /// a, which is 2^e m with 1 <= m < 2, as e + m + `low`.
+  /// a, which is 2^e m with 1 <= m < 2, as e + m + `low`, where m is rounded down to a multiple of
+  /// `unit`, 2^-52 or more. `high` for 0.
   floating,
   /// The entry of `words` at the address that a, rounded down to units, has in two's complement.
   look_up,

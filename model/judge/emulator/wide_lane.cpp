@@ -118,6 +118,7 @@ private:
     }
     if (fixed::is_limit(node)) set_limits(added, node.value);
     if (node.operation == Operation::look_up) set_words(added, node);
+    if (fixed::is_encoding(node)) added.exponent_bias = lane_.input_format.bias();
     if (fixed::is_floating_code(node)) {
       added.argument_bits = lane_.nodes[node.operands[0]].format.width;
     }
@@ -270,6 +271,7 @@ private:
       value = static_cast<Wide>(std::floor(std::ldexp(operand, -format.unit_exponent)));
       return true;
     }
+    if (node.conversion == fixed::Conversion::floating) return encode(node, operand, value);
     const bool is_negative = std::signbit(operand);
     if (std::isnan(operand) || (is_negative && !format.is_signed)) return false;
     const double units = std::ldexp(std::abs(operand), -(format.unit_exponent + scale));
@@ -281,6 +283,17 @@ private:
     }
     value = is_negative ? -magnitude - 1 : magnitude;
     return true;
+  }
+
+  /// The encoding of an operand; false if the limit behind it accepts none such.
+  static bool encode(const Node& node, double operand, Wide& value) {
+    if (!(operand > 0) || !std::isfinite(operand)) return false;
+    int exponent = 0;
+    const double significand = 2 * std::frexp(operand, &exponent);
+    const int fraction_bits = -node.format.unit_exponent;
+    const auto fraction = static_cast<Wide>(std::ldexp(significand - 1, fraction_bits));
+    value = (Wide(exponent - 1 + node.exponent_bias) << fraction_bits) + fraction;
+    return value > 0;
   }
 
   bool have_values(const std::vector<NodeId>& nodes) const {

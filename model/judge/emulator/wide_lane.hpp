@@ -35,6 +35,7 @@ private:
         {};  ///< of the operands before the operation, to the left; negative: to the right
     int dropped_bits;
     bool arrives_fixed = false;  ///< an input that arrives in fixed point
+    int exponent_bias = 0;       ///< of an input's encoding
     bool is_promised = false;    ///< an input of promised multiples of the unit
     Wide constant = 0;
     Wide low = 0, high = 0;        ///< of Conversion::limit

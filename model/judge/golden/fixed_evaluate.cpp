@@ -71,6 +71,12 @@ Integer converted(FloatFormat from, Bits bits, const FixedNode& input, int scale
   return from.sign(bits) ? mpz_class(-magnitude) : magnitude;
 }
 
+/// An operand's encoding as an integer without a sign.
+mpz_class encoding(Bits bits) {
+  const auto upper = static_cast<unsigned long>(bits >> 64);
+  return shifted(upper, 64) + static_cast<unsigned long>(bits);
+}
+
 /// A number that arrived in fixed point, without the low bits that the input drops.
 mpz_class cut(FloatFormat from, Bits bits, const FixedFormat& to) {
   const mpq_class value = to_rational(from, bits);
@@ -240,6 +246,8 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
   for (const FixedNode& node : lane.nodes) {
     if (node.operation == Operation::input && !scale) {
       values.emplace_back();
+    } else if (fixed::is_encoding(node)) {
+      values.emplace_back(shifted(encoding(inputs[node.input]), -node.dropped_bits));
     } else if (node.operation == Operation::input && fixed::arriving_fixed(lane, node)) {
       values.emplace_back(cut(lane.input_format, inputs[node.input], node.format));
     } else if (node.operation == Operation::input) {
@@ -261,7 +269,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
   // In block floating point every finite number fits in the largest possible unit.
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
-    return node.operation != Operation::input || node.input != input ||
+    return node.operation != Operation::input || node.input != input || fixed::is_encoding(node) ||
            fixed::arriving_fixed(lane, node) || converted(lane.input_format, operand, node, scale);
   });
 }

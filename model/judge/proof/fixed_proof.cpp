@@ -154,6 +154,7 @@ private:
     const int own = node.format.unit_exponent - node.dropped_bits;
     switch (node.operation) {
       case Operation::input:
+        if (fixed::is_encoding(node)) return own == -lane_.input_format.fraction_bits();
         if (const FixedFormat* arriving = fixed::arriving_fixed(lane_, node)) {
           return own == arriving->unit_exponent;
         }
@@ -233,7 +234,7 @@ private:
 
   const std::optional<FunctionEnclosure>& enclosure_of(const FunctionNodes& function) {
     const auto [known, is_new] = enclosures_.try_emplace(function.result);
-    if (is_new) known->second = enclose_function(nodes_, function);
+    if (is_new) known->second = enclose_function(lane_, nodes_, function);
     return known->second;
   }
 
@@ -349,11 +350,15 @@ private:
     });
   }
 
-  /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits. The hardware checks
-  /// that promised multiples of the unit are such.
+  /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits, and an encoding
+  /// stands for itself. The hardware checks that promised multiples of the unit are such.
   void assume_operand(FixedNode& node) const {
     const mpq_class unit = node.format.unit();
     node.value = {node.format.smallest() * unit, node.format.largest() * unit};
+    if (fixed::is_encoding(node)) {
+      node.error = {0, 0};
+      return;
+    }
     const FixedFormat* arriving = fixed::arriving_fixed(lane_, node);
     const mpq_class arriving_unit = arriving == nullptr ? mpq_class(0) : arriving->unit();
     node.error = {node.is_promised ? mpq_class(0) : mpq_class(arriving_unit - unit), 0};

@@ -47,6 +47,17 @@ bool is_step(const FixedNode& node) {
   return is_sum && node.function->kind() == Function::table;
 }
 
+/// Whether a node makes the code of an operand's encoding: its low bits, or what is left without
+/// the first exponent, behind a limit.
+bool is_code_of_encoding(const std::vector<FixedNode>& nodes, NodeId id) {
+  const FixedNode& node = nodes[id];
+  const bool is_difference = node.operation == Operation::subtract && node.function &&
+                             nodes[node.operands[1]].operation == Operation::constant;
+  if (!is_place(node) && !is_difference) return false;
+  const FixedNode& limit = nodes[node.operands[0]];
+  return fixed::is_limit(limit) && fixed::is_encoding(nodes[limit.operands[0]]);
+}
+
 /// Collects the nodes below a result.
 class Below {
 public:
@@ -64,7 +75,7 @@ public:
 private:
   /// The argument itself or its floating-point code.
   bool from_argument(NodeId id) {
-    if (fixed::is_floating_code(nodes_[id])) {
+    if (fixed::is_floating_code(nodes_[id]) || is_code_of_encoding(nodes_, id)) {
       found_.inside.insert(id);
       id = nodes_[id].operands[0];
     }
@@ -215,17 +226,17 @@ std::optional<Range> difference_on(const Function& function, const Polynomial& p
   return all;
 }
 
-/// By how much a function changes if its argument moves by the argument's error.
-std::optional<Range> moved_by(const Function& function, const FixedNode& argument) {
-  const Range real = difference(argument.value, argument.error);
-  const Range both = hull({argument.value.low, argument.value.high, real.low, real.high});
+/// By how much a function of computed numbers changes if they move by an error.
+std::optional<Range> moved_by(const Function& function, const Range& computed, const Range& error) {
+  const Range real = difference(computed, error);
+  const Range both = hull({computed.low, computed.high, real.low, real.high});
   const std::vector<Interval> series = function::taylor(function, Interval(both), 2);
   if (!series.front().is_bounded()) return std::nullopt;
-  if (argument.error == Range{0, 0}) return argument.error;
+  if (error == Range{0, 0}) return error;
   std::optional<Range> moved;
-  if (series.back().is_bounded()) moved = product(series.back().range(), argument.error);
+  if (series.back().is_bounded()) moved = product(series.back().range(), error);
   if (function.kind() == Function::power && 0 < function.parameter() && function.parameter() < 1) {
-    const mpq_class furthest = absolute(argument.error).high;  // |a^p - b^p| <= |a - b|^p
+    const mpq_class furthest = absolute(error).high;  // |a^p - b^p| <= |a - b|^p
     const mpq_class most = function::value(function, Interval(furthest)).range().high;
     if (!moved) moved = {-most, most};
     fixed::narrow(*moved, {-most, most});
@@ -233,15 +244,35 @@ std::optional<Range> moved_by(const Function& function, const FixedNode& argumen
   return moved;
 }
 
+/// How codes stand for numbers: the code (k + f) in units of a fraction's last bit, with a whole k
+/// and 0 <= f < 1, for 2^(k + exponent_of_0) (1 + f). Codes with a k below `least_field` stand
+/// for 0.
+struct Binades {
+  int exponent_of_0 = 0;
+  int fraction_bits = 0;
+  int least_field = 0;
+};
+
 class Pieces {
 public:
-  Pieces(const std::vector<FixedNode>& nodes, const FunctionNodes& function)
-      : nodes_(nodes),
+  Pieces(const fixed::FixedLane& lane, const std::vector<FixedNode>& nodes,
+         const FunctionNodes& function)
+      : lane_(lane),
+        nodes_(nodes),
         function_(function),
         argument_(nodes[function.argument]),
         code_(function.argument) {
     for (const NodeId id : function.inside) {
-      if (fixed::is_floating_code(nodes[id])) code_ = id;
+      if (fixed::is_floating_code(nodes[id])) {
+        code_ = id;
+        const FloatingCode code{argument_.format.width};
+        binades_ = {argument_.format.unit_exponent - code.offset(), code.fraction_bits(),
+                    code.offset()};
+      } else if (is_code_of_encoding(nodes, id)) {
+        code_ = id;
+        binades_ = {first_exponent() - lane.input_format.bias(), -argument_.format.unit_exponent,
+                    0};
+      }
     }
     const mpq_class per_unit = power_of_two(-argument_.format.unit_exponent);
     least_ = ceiling_of(argument_.value.low * per_unit);
@@ -249,6 +280,7 @@ public:
     const FixedNode& result = nodes[function.result];
     if (result.operation == Operation::look_up) piece_bits_ = fixed::piece_bits(nodes, result);
     for (const NodeId id : function.inside) {
+      if (id == code_) continue;
       if (is_place(nodes[id])) piece_bits_ = nodes[id].format.width;
       if (nodes[id].operation == Operation::look_up && is_step(nodes[id])) {
         starts_.push_back(start_of(nodes[id]));
@@ -264,8 +296,8 @@ public:
   std::optional<FunctionEnclosure> enclose() {
     if (!are_alike()) return std::nullopt;
     const FixedNode& result = nodes_[function_.result];
-    const auto moved = moved_by(*result.function, argument_);
-    const Interval values = function::value(*result.function, Interval(argument_.value));
+    const auto moved = this->moved();
+    const Interval values = function::value(*result.function, Interval(arguments()));
     if (!moved || !values.is_bounded()) return std::nullopt;
     const mpz_class first = piece_of(code_of(least_)), last = piece_of(code_of(greatest_));
     if (last - first >= most_pieces) return std::nullopt;
@@ -289,6 +321,31 @@ public:
         .reason = fmt::format("by theorem 10, {} pieces of degree {}", count().get_str(), degree_)};
   }
 
+  /// By how much the function changes if its argument moves by the argument's error. The operands
+  /// of an encoding have lost the fraction's low bits.
+  std::optional<Range> moved() const {
+    const Function& function = *nodes_[function_.result].function;
+    if (!is_encoded()) return moved_by(function, argument_.value, argument_.error);
+    const FixedNode& operand = nodes_[argument_.operands[0]];
+    const OperandFormat format = fixed::operand_format(lane_, operand.input);
+    const FloatFormat* arriving = format.floating();
+    if (arriving == nullptr) return std::nullopt;
+    std::optional<Range> all;
+    for (mpz_class from = code_of(least_), last = code_of(greatest_); from <= last;) {
+      const mpz_class field = floor_of(scaled(mpq_class(from), -binades_.fraction_bits));
+      const mpz_class next = shifted_left(field + 1, binades_.fraction_bits);
+      const mpz_class to = std::min<mpz_class>(next - 1, last);
+      const int exponent = static_cast<int>(field.get_si()) + binades_.exponent_of_0;
+      const mpq_class lost = power_of_two(exponent - binades_.fraction_bits) -
+                             power_of_two(exponent - arriving->fraction_bits());
+      const auto found = moved_by(function, {number_of(from), number_of(to)}, {-lost, 0});
+      if (!found) return std::nullopt;
+      join(all, *found);
+      from = next;
+    }
+    return all;
+  }
+
 private:
   static void join(std::optional<Range>& all, const Range& range) {
     all = all ? hull({all->low, all->high, range.low, range.high}) : range;
@@ -305,8 +362,8 @@ private:
       return false;
     }
     if (!starts_.empty()) return !is_floating() && piece_bits_ == 0;
-    if (is_floating() && (format.is_signed || least_ < 0 || !has_code() ||
-                          piece_bits_ > FloatingCode{format.width}.fraction_bits())) {
+    if (is_floating() &&
+        (format.is_signed || least_ < 0 || !has_code() || piece_bits_ > binades_.fraction_bits)) {
       return false;
     }
     if (piece_bits_ < 0 || piece_bits_ + (code.is_signed ? 1 : 0) > code.width) return false;
@@ -314,7 +371,7 @@ private:
     all.insert(function_.result);
     return std::all_of(all.begin(), all.end(), [&](NodeId id) {
       const FixedNode& node = nodes_[id];
-      if (!reads_argument(node)) return true;
+      if (id == code_ || !reads_argument(node)) return true;
       const int bits = is_place(node) ? node.format.width : fixed::piece_bits(nodes_, node);
       return node.operands[0] == code_ && bits == piece_bits_ &&
              !(is_place(node) && node.format.is_signed);
@@ -322,12 +379,50 @@ private:
   }
 
   bool is_floating() const { return code_ != function_.argument; }
+  bool is_encoded() const { return is_code_of_encoding(nodes_, code_); }
+  /// Whether the code's format holds the codes of all arguments, as numbers that grow with them.
   bool has_code() const {
-    return nodes_[code_].format == FloatingCode{argument_.format.width}.format();
+    const FixedFormat& format = nodes_[code_].format;
+    if (!is_encoded()) return format == FloatingCode{argument_.format.width}.format();
+    const FixedNode& operand = nodes_[argument_.operands[0]];
+    const int fraction_bits = lane_.input_format.fraction_bits() - operand.dropped_bits;
+    return fraction_bits == binades_.fraction_bits && format.unit_exponent == -fraction_bits &&
+           operand.format.width == lane_.input_format.width() - operand.dropped_bits &&
+           !format.is_signed && code_of(least_) >= 0 && code_of(greatest_) <= format.largest() &&
+           is_normal(least_) && is_normal(greatest_);
+  }
+  /// Whether an encoding is that of a finite normal number above 0.
+  bool is_normal(const mpz_class& encoding) const {
+    const mpz_class field = floor_of(scaled(mpq_class(encoding), -binades_.fraction_bits));
+    return field >= 1 && field < lane_.input_format.max_biased_exponent();
+  }
+  /// The biased exponent of the arguments whose code has the exponent 0.
+  int first_exponent() const {
+    const FixedNode& code = nodes_[code_];
+    if (code.operation == Operation::subtract) {
+      const FixedNode& first = nodes_[code.operands[1]];
+      return static_cast<int>(mpz_class(floor_of(first.constant * first.format.unit())).get_si());
+    }
+    const mpz_class codes = shifted_left(1, code.format.width);
+    const mpz_class least = floor_of(argument_.value.low / argument_.format.unit());
+    const mpq_class first = (least - least % codes) * argument_.format.unit();
+    return static_cast<int>(mpz_class(floor_of(first)).get_si());
   }
 
   mpz_class code_of(const mpz_class& number) const {
+    if (is_encoded()) return number - shifted_left(first_exponent(), binades_.fraction_bits);
     return is_floating() ? FloatingCode{argument_.format.width}.of(number) : number;
+  }
+  /// The number that a floating-point code stands for.
+  mpq_class number_of(const mpz_class& code) const {
+    const mpz_class field = floor_of(scaled(mpq_class(code), -binades_.fraction_bits));
+    if (field < binades_.least_field) return 0;
+    const mpq_class fraction = scaled(mpq_class(code), -binades_.fraction_bits) - field;
+    return (1 + fraction) * power_of_two(static_cast<int>(field.get_si()) + binades_.exponent_of_0);
+  }
+  Range arguments() const {
+    if (!is_encoded()) return argument_.value;
+    return {number_of(code_of(least_)), number_of(code_of(greatest_))};
   }
   mpz_class piece_of(const mpz_class& code) const {
     if (!starts_.empty()) {
@@ -349,15 +444,12 @@ private:
                 .start = start * unit,
                 .slope = 1};
     if (!is_floating()) return piece;
-    // The code is an exponent and a fraction, in units of the fraction's last bit.
-    const FloatingCode code{argument_.format.width};
     const mpz_class field = floor_of(piece.start);
-    if (field < code.offset()) {  // the argument is 0
+    if (field < binades_.least_field) {  // the argument is 0
       return {.number = number, .t = {0, 0}, .start = 0, .slope = 1};
     }
-    const auto exponent = static_cast<int>(field.get_si()) - code.offset();
-    piece.slope = power_of_two(exponent + argument_.format.unit_exponent);
-    piece.start = (1 + piece.start - field) * piece.slope;
+    piece.slope = power_of_two(static_cast<int>(field.get_si()) + binades_.exponent_of_0);
+    piece.start = number_of(start);
     return piece;
   }
 
@@ -381,7 +473,7 @@ private:
   std::optional<FunctionEnclosure> add(const Piece& piece) {
     std::map<NodeId, Computed> known;
     for (const NodeId id : function_.inside) {
-      if (fixed::is_floating_code(nodes_[id])) continue;
+      if (id == code_) continue;
       const Computed& made = known[id] = computed(id, piece, known);
       const Range values = multiples_in(sum(values_of(made.polynomial, piece.t), made.cut),
                                         nodes_[id].format.unit());
@@ -446,10 +538,12 @@ private:
     return look_up.words[address.get_ui()] * look_up.format.unit();
   }
 
+  const fixed::FixedLane& lane_;
   const std::vector<FixedNode>& nodes_;
   const FunctionNodes& function_;
   const FixedNode& argument_;
-  NodeId code_;  ///< the argument or its floating-point code
+  NodeId code_;      ///< the argument or its floating-point code
+  Binades binades_;  ///< of that code
   int piece_bits_ = 0;
   mpz_class least_, greatest_;     ///< arguments, in units
   std::vector<mpz_class> starts_;  ///< of pieces but the first, in units of the argument
@@ -490,12 +584,13 @@ std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& l
   return functions;
 }
 
-std::optional<FunctionEnclosure> enclose_function(const std::vector<FixedNode>& nodes,
+std::optional<FunctionEnclosure> enclose_function(const fixed::FixedLane& lane,
+                                                  const std::vector<FixedNode>& nodes,
                                                   const FunctionNodes& function) {
   const auto& applied = nodes[function.result].function;
   if (!applied) return std::nullopt;
   if (has_jumps(*applied)) return enclose_jump(nodes, function);
-  return Pieces(nodes, function).enclose();
+  return Pieces(lane, nodes, function).enclose();
 }
 
 std::vector<Node> expression_of(const fixed::FixedLane& lane,
@@ -524,7 +619,8 @@ std::vector<StatedFunction> stated_functions(const fixed::FixedLane& lane) {
   for (const FunctionNodes& each : *functions) {
     const FixedNode& result = lane.nodes[each.result];
     if (has_jumps(*result.function)) continue;
-    const auto moved = moved_by(*result.function, lane.nodes[each.argument]);
+    const Pieces pieces(lane, lane.nodes, each);
+    const auto moved = pieces.moved();
     if (!moved) continue;
     StatedFunction& found = stated[each.result];
     found.text = to_text(nodes, lane.input_names, each.result, most_characters);
@@ -534,7 +630,7 @@ std::vector<StatedFunction> stated_functions(const fixed::FixedLane& lane) {
         static_cast<int>(std::count_if(each.inside.begin(), each.inside.end(), [&](NodeId id) {
           return lane.nodes[id].operation == Operation::multiply;
         }));
-    found.pieces = Pieces(lane.nodes, each).count();
+    found.pieces = pieces.count();
   }
   std::vector<StatedFunction> in_order;
   for (auto& [result, found] : stated) in_order.push_back(std::move(found));

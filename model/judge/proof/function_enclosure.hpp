@@ -37,8 +37,10 @@ struct FunctionEnclosure {
 /// inside becomes a polynomial in t with rational coefficients, plus a range for its cuts. The
 /// function's series encloses the difference, as in theorem 10 of docs/fixed_point.md. None if a
 /// piece has no bound, or if tables and t divide the argument's bits differently. Functions that
-/// jump are enclosed by theorem 11. `nodes`: those inside and the result as the lane states them.
-std::optional<FunctionEnclosure> enclose_function(const std::vector<fixed::FixedNode>& nodes,
+/// jump are enclosed by theorem 11. `nodes`: those of `lane`, of which those inside and the result
+/// are as the lane states them.
+std::optional<FunctionEnclosure> enclose_function(const fixed::FixedLane& lane,
+                                                  const std::vector<fixed::FixedNode>& nodes,
                                                   const FunctionNodes& function);
 
 /// The accuracy and the shape that a lane states of a function.

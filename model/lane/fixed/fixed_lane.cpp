@@ -220,7 +220,11 @@ bool follows_operands(const FixedNode& node) {
 }
 
 bool is_floating_code(const FixedNode& node) {
-  return node.conversion == Conversion::floating;
+  return node.operation == Operation::convert && node.conversion == Conversion::floating;
+}
+
+bool is_encoding(const FixedNode& node) {
+  return node.operation == Operation::input && node.conversion == Conversion::floating;
 }
 
 bool is_wires(const FixedNode& node) {
@@ -313,15 +317,16 @@ const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) 
 
 bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node) {
   return node.operation == Operation::input &&
-         (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr);
+         (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr ||
+          is_encoding(node));
 }
 
 namespace {
 
-/// Whether each operand of an input fits: it arrives in fixed point, in a lane that was split also
+/// Whether each operand of an input fits: it is read as it arrives, in a lane that was split also
 /// before it became part of a word.
 bool is_always_taken(const FixedLane& lane, const FixedNode& input) {
-  if (lane.loaded_inputs.empty()) return arriving_fixed(lane, input) != nullptr;
+  if (lane.loaded_inputs.empty()) return is_read_as_it_arrives(lane, input);
   return lane.loaded_inputs[static_cast<std::size_t>(input.input)].flags.empty();
 }
 

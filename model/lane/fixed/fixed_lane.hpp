@@ -35,7 +35,8 @@ enum class Conversion {
   /// decides the part by itself, so hardware need not compute the rest of the difference.
   reach,
   /// A number without a sign as a floating-point one (function::FloatingCode): the place of its
-  /// leading one, and the bits behind that.
+  /// leading one, and the bits behind that. For an input that arrives in floating point: its
+  /// encoding, an integer that grows with the operand if that has no sign, without low bits.
   floating,
   /// Keeps the low bits of a number in two's complement, without a sign: where it is in its piece
   /// of a piecewise polynomial.
@@ -52,7 +53,9 @@ enum class Conversion {
 /// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
 /// a negative zero if the format is unsigned. If the input is `is_promised`, so does an operand
 /// that is no multiple of the unit, and the others are converted exactly. An input that arrives in
-/// fixed point loses `dropped_bits` low bits, often none, and leaves nothing undecided.
+/// fixed point loses `dropped_bits` low bits, often none, and leaves nothing undecided. So does
+/// the encoding of one that arrives in floating point. A limit and a subtraction, or a `place`,
+/// make a function's argument of it (function::FloatingEncoding).
 ///
 /// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
 /// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
@@ -66,7 +69,7 @@ struct FixedNode {
   bool is_promised = false;
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
-  std::optional<Conversion> conversion = {};  ///< for Operation::convert
+  std::optional<Conversion> conversion = {};  ///< for Operation::convert; of an input: `floating`
   int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
   int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
   function::Words words = {};  ///< for Operation::look_up
@@ -81,6 +84,8 @@ struct FixedNode {
 };
 
 bool is_floating_code(const FixedNode& node);
+/// Whether the node is an input that is read as its encoding in floating point.
+bool is_encoding(const FixedNode& node);
 /// Tells whether hardware computes the node by wires alone. A check of its operand may stand beside
 /// them.
 bool is_wires(const FixedNode& node);
@@ -239,8 +244,8 @@ OperandFormat operand_format(const FixedLane& lane, int input);
 /// The fixed-point format in which the input `node` arrives; null if it arrives in floating point.
 const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node);
 
-/// Whether a node is an input that needs no conversion: it is a field of a word, or it arrives in
-/// fixed point.
+/// Whether a node is an input that needs no conversion: it is a field of a word, it arrives in
+/// fixed point, or it is an encoding.
 bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node);
 
 /// Whether the lane decides every comparison, also those of equal sides: its differences have no

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "model/base/number/dyadic.hpp"
+#include "model/lane/fixed/function_error.hpp"
 #include "model/lane/fixed/graph_builder.hpp"
 #include "model/lane/fixed/node_enclosure.hpp"
 #include "model/lane/fixed/root_error.hpp"
@@ -12,47 +13,11 @@ namespace {
 
 using function::Interval;
 
-/// A function's value has at most W + 8 bits.
-constexpr int spare_function_bits = 8;
-
-/// A limit costs a comparator. It is worth that if errors become so many times smaller.
-constexpr int worth_a_limit = 2;
-
 /// How near to an end without a value an argument is looked at, from so far on the other side. An
 /// error e moves the logarithm and the quotient of like numbers by some e / d at distance d. Nearer
 /// arguments, a share of d / span, are left undecided: this d makes both equal.
 mpq_class balanced_distance(const Range& error, const mpq_class& span) {
   return root_of(absolute(error).high * span, root_digits);
-}
-
-/// The real numbers that the computed ones of a range may stand for.
-Range stood_for(const Range& computed, const Range& error) {
-  return difference(computed, error);
-}
-
-/// Whether |f(x) - f(y)| <= f(|x - y|): the function is concave and 0 at 0.
-bool is_subadditive(const Function& function) {
-  if (function.kind() != Function::power) return false;
-  return 0 < function.parameter() && function.parameter() < 1;
-}
-
-/// By how much a function's value changes if its argument does by an error: the slopes between the
-/// computed argument and the real one, times the error. None if there is no bound.
-std::optional<Range> moved_by(const Function& function, const Range& computed, const Range& error) {
-  const Range real = stood_for(computed, error);
-  const Range both = {std::min(computed.low, real.low), std::max(computed.high, real.high)};
-  const std::vector<Interval> series = function::taylor(function, Interval(both), 2);
-  if (!series.front().is_bounded()) return std::nullopt;
-  if (error == Range{0, 0}) return error;
-  std::optional<Range> moved;
-  if (series.back().is_bounded()) moved = product(series.back().range(), error);
-  if (is_subadditive(function)) {
-    const mpq_class furthest = abs(function.inner().factor) * absolute(error).high;
-    const Range most = function::value(function.outer(), Interval(furthest)).range();
-    if (!moved) moved = {-most.high, most.high};
-    narrow(*moved, {-most.high, most.high});
-  }
-  return moved;
 }
 
 /// The map of a node that is affine in one of its operands, which is no constant; none otherwise.
@@ -93,17 +58,6 @@ std::optional<AffineStep> affine_step(const Graph& graph, const Node& node) {
 bool is_smooth(const Function& function) {
   const auto smooth = std::find(all_functions.begin(), all_functions.end(), function.kind());
   return smooth != all_functions.end();
-}
-
-/// The unit of a function's values. As for a root, it is the power of two at or below half of the
-/// error that results from the argument's error.
-int unit_exponent_for(const Range& values, const mpq_class& effect, int bits) {
-  const mpq_class greatest = absolute(values).high;
-  const int largest = greatest == 0 ? 0 : static_cast<int>(floor_log2(greatest));
-  const int digits = largest + 1 - bits;
-  if (effect == 0) return digits;
-  return std::clamp(static_cast<int>(floor_log2(effect)) - 1, digits - spare_function_bits,
-                    largest);
 }
 
 bool are_equal(const function::Words& words) {
@@ -403,6 +357,7 @@ std::vector<NodeId> FixedGraphBuilder::read_by(NodeId id) const {
 
 Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
   const Applied found = applied_at(id);
+  if (auto value = of_encoding(found, 0)) return *std::move(value);
   return applied(id, found.function, factor(read(found.node, affine_[id])), declared(found.node),
                  0);
 }
@@ -440,8 +395,13 @@ Result<FixedNode> FixedGraphBuilder::quotient_by_variable(NodeId id) {
   const mpq_class largest = values ? absolute(*values).high : most;
   const int further =
       most > largest && largest > 0 ? static_cast<int>(floor_log2(most) - floor_log2(largest)) : 0;
-  MIXCMP_TRY(reciprocal, applied(id, Function::power_of(-1), argument, real, further));
-  NodeId quotient = add(product(first, add(std::move(reciprocal))));
+  const Function reciprocal = Function::power_of(-1);
+  std::optional<FixedNode> inverse = of_encoding({reciprocal, divisor}, further);
+  if (!inverse) {
+    MIXCMP_TRY(made, applied(id, reciprocal, argument, real, further));
+    inverse = std::move(made);
+  }
+  NodeId quotient = add(product(first, add(*std::move(inverse))));
   if (is_negative) quotient = add(operation(Operation::negate, quotient));
   return further > 0 ? limited_to(quotient, *values) : nodes_[quotient];
 }
@@ -471,25 +431,33 @@ Result<FixedNode> FixedGraphBuilder::applied(NodeId id, const Function& function
   const int unit_exponent =
       unit_exponent_for(values, absolute(moved).high, options_.format.bits + further);
   const auto piecewise = function::approximate(
-      function, computed.format, floor_of(computed.value.low / unit),
+      function, {computed.format}, floor_of(computed.value.low / unit),
       ceiling_of(computed.value.high / unit), unit_exponent, options_.products);
   if (!piecewise) {
     return refused(id, "the function needs more pieces than a table has words",
                    "a narrower range of the inputs, or fewer bits");
   }
-  const NodeId last = polynomial(function, *piecewise, argument);
+  return value_of(function, *piecewise, argument, values, moved);
+}
+
+/// The value of a polynomial; `moved` is what the argument's error does to it.
+FixedNode FixedGraphBuilder::value_of(const Function& function,
+                                      const function::Piecewise& piecewise, NodeId argument,
+                                      const Range& values, const Range& moved) {
+  const NodeId last = polynomial(function, piecewise, argument);
   FixedNode result = nodes_[last];
-  if (piecewise->degree() > 0) {
+  if (piecewise.degree() > 0) {
+    const int unit_exponent = piecewise.result.unit_exponent;
     result = conversion(Conversion::function_value, last);
     result.dropped_bits = unit_exponent - result.format.unit_exponent;
     result.function = function;
     const mpq_class result_unit = power_of_two(unit_exponent);
     result.value =
-        rounded_down(sum(values, {piecewise->error.low, piecewise->error.high}), result_unit);
+        rounded_down(sum(values, {piecewise.error.low, piecewise.error.high}), result_unit);
     narrow(result.value, rounded_down(nodes_[last].value, result_unit));
     result.format = format_of(result.value, unit_exponent);
   }
-  result.error = sum(piecewise->error, moved);
+  result.error = sum(piecewise.error, moved);
   return result;
 }
 

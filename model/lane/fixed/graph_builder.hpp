@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/lane/fixed/encoded_range.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 
 namespace mixcmp::fixed {
@@ -78,6 +79,11 @@ private:
   Result<FixedNode> quotient_by_variable(NodeId id);
   Result<FixedNode> applied(NodeId id, const Function& function, NodeId whole, const Range& real,
                             int further);
+  std::optional<Range> encoded_numbers(const Function& function, const Range& declared) const;
+  std::optional<FixedNode> of_encoding(const Applied& applied, int further);
+  NodeId encoded_argument(const Function& function, int input, const EncodedRange& range);
+  FixedNode value_of(const Function& function, const function::Piecewise& piecewise,
+                     NodeId argument, const Range& values, const Range& moved);
   bool is_normalised_difference(NodeId id);
   FixedNode limited_to(NodeId id, const Range& values) const;
   /// A number that stands for `meant`.

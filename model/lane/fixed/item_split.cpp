@@ -34,12 +34,13 @@ struct Loading {
   /// The properties that all formats of one column's operand share, so that a coarser one is the
   /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
   /// Units differ. An operand with a promised grid is checked against that: it shares no other's
-  /// bits.
+  /// bits. Nor does an encoding.
   struct Operand {
     int column;
     int top;
     bool is_signed;
     std::optional<int> grid_exponent;  ///< of an operand with a promised grid
+    bool is_encoding;
 
     friend auto operator<=>(const Operand&, const Operand&) = default;
   };
@@ -107,7 +108,8 @@ private:
     const FixedFormat& format = input.format;
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
             format.is_signed,
-            input.is_promised ? std::optional(format.unit_exponent) : std::nullopt};
+            input.is_promised ? std::optional(format.unit_exponent) : std::nullopt,
+            fixed::is_encoding(input)};
   }
 
   void note_finest(const FixedLane& lane) {
@@ -250,7 +252,7 @@ private:
     for (std::size_t part = 0; part < lane.parts.size(); ++part) {
       for (const NodeId id : fan_in(lane, lane.parts[part].difference)) {
         const FixedNode& node = lane.nodes[id];
-        if (node.operation != Operation::input || arriving_fixed(lane, node)) continue;
+        if (node.operation != Operation::input || is_read_as_it_arrives(lane, node)) continue;
         const auto role = static_cast<std::size_t>(inputs_[node.input].role);
         loading_of(node).affected[finest_input(node)][role].emplace(number, part);
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,31 +15,33 @@ namespace mixcmp::function {
 
 /// The pieces of the arguments: with so many lower bits of the code C, or with starts.
 struct Pieces {
-  FixedFormat argument;
-  bool is_floating;
+  Argument argument;
+  bool is_floating;  ///< C is the FloatingCode of the argument
+  std::optional<FloatingEncoding> encoding;
   int piece_bits;
   FixedFormat code;
   std::vector<mpz_class> starts = {};
   mpz_class least, greatest;  ///< C of the arguments
   mpz_class first, last;      ///< the pieces that hold arguments: C / 2^piece_bits, rounded down
 
-  Pieces(const FixedFormat& format, bool floating, int bits, const mpz_class& from,
+  Pieces(const Argument& numbers, bool floating, int bits, const mpz_class& from,
          const mpz_class& to)
-      : argument(format),
+      : argument(numbers),
         is_floating(floating),
+        encoding(encoding_of(numbers, floating)),
         piece_bits(bits),
-        code(floating ? FloatingCode{format.width}.format() : format),
+        code(encoding ? encoding->format() : numbers.format),
         least(code_of(from)),
         greatest(code_of(to)),
         first(upper(least)),
         last(upper(greatest)) {}
 
-  Pieces(const FixedFormat& format, std::vector<mpz_class> all_starts, const mpz_class& from,
+  Pieces(const Argument& numbers, std::vector<mpz_class> all_starts, const mpz_class& from,
          const mpz_class& to)
-      : argument(format),
+      : argument(numbers),
         is_floating(false),
         piece_bits(0),
-        code(format),
+        code(numbers.format),
         starts(std::move(all_starts)),
         least(from),
         greatest(to),
@@ -57,7 +60,7 @@ struct Pieces {
     return static_cast<unsigned long>(above - starts.begin() - 1);
   }
   mpz_class code_of(const mpz_class& number) const {
-    return is_floating ? FloatingCode{argument.width}.of(number) : number;
+    return is_floating ? FloatingCode{argument.format.width}.of(number) : number;
   }
   mpz_class upper(const mpz_class& number) const {
     return floor_of(scaled(mpq_class(number), -piece_bits));
@@ -70,25 +73,19 @@ struct Pieces {
   }
   /// The exponent of the power of two that an argument grows by where C does by one.
   int step_exponent(const mpz_class& piece) const {
-    if (!is_floating) return argument.unit_exponent;
-    const FloatingCode floating{argument.width};
-    const mpz_class field = upper_bits(piece);
-    return static_cast<int>(field.get_si()) - floating.offset() - floating.fraction_bits() +
-           argument.unit_exponent;
+    if (!encoding) return argument.format.unit_exponent;
+    return static_cast<int>(field_of(piece).get_si()) + encoding->exponent_of_0 -
+           encoding->fraction_bits;
   }
   /// Whether the piece's only argument is 0, at t = 0.
   bool is_zero(const mpz_class& piece) const {
-    return is_floating && upper_bits(piece) < FloatingCode{argument.width}.offset();
+    return encoding && field_of(piece) < encoding->least_field;
   }
   /// The argument at t = 0.
   mpq_class start(const mpz_class& piece) const {
     const mpz_class number = first_code(piece);
-    if (!is_floating) return scaled(mpq_class(number), argument.unit_exponent);
-    if (is_zero(piece)) return 0;
-    const int fraction_bits = FloatingCode{argument.width}.fraction_bits();
-    const mpz_class hidden = shifted_left(1, fraction_bits);
-    const mpz_class significand = hidden + number % hidden;
-    return scaled(mpq_class(significand), step_exponent(piece));
+    if (encoding) return encoding->number(number);
+    return scaled(mpq_class(number), argument.format.unit_exponent);
   }
   /// By how much an argument grows where t does by one.
   mpq_class slope(const mpz_class& piece) const {
@@ -121,9 +118,13 @@ struct Pieces {
   }
 
 private:
-  /// The exponent field of a FloatingCode.
-  mpz_class upper_bits(const mpz_class& piece) const {
-    return floor_of(scaled(mpq_class(piece), piece_bits - (argument.width - 1)));
+  static std::optional<FloatingEncoding> encoding_of(const Argument& numbers, bool floating) {
+    if (!floating) return numbers.encoding;
+    return FloatingCode{numbers.format.width}.encoding(numbers.format.unit_exponent);
+  }
+  /// The exponent field of the codes of a piece.
+  mpz_class field_of(const mpz_class& piece) const {
+    return floor_of(scaled(mpq_class(piece), piece_bits - encoding->fraction_bits));
   }
 };
 

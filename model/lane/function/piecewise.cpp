@@ -270,7 +270,7 @@ public:
   /// tried.
   double area(ProductKind products) const {
     const double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
-    const int bits = pieces_.argument.width;
+    const int bits = pieces_.argument.format.width;
     double luts = is_floating() ? 0.5 * bits * std::bit_width(static_cast<unsigned>(bits)) : 0;
     luts += static_cast<double>(pieces_.starts.size()) * bits;
     for (std::size_t k = 0; k < units_.size(); ++k) {
@@ -368,19 +368,25 @@ private:
 /// The task of a search: a function, its arguments, and the unit of its values.
 struct Wanted {
   Function function;
-  FixedFormat argument;
+  Argument argument;
   mpz_class least, greatest;
   int unit_exponent;
   ProductKind products;
 
   friend auto operator<=>(const Wanted& a, const Wanted& b) { return a.key() <=> b.key(); }
 
-  Range arguments() const { return {least * argument.unit(), greatest * argument.unit()}; }
+  Range arguments() const {
+    if (argument.encoding) {
+      return {argument.encoding->number(least), argument.encoding->number(greatest)};
+    }
+    return {least * argument.format.unit(), greatest * argument.format.unit()};
+  }
   /// Whether pieces that shrink towards 0 help. They do at 0 itself where the function ends there.
   bool may_be_floating() const {
     const Domain accepted = domain(function);
     const bool ends_at_zero = accepted.low && accepted.low->at == 0;
-    return argument.width > 1 && (least > 0 || (least == 0 && ends_at_zero));
+    return !argument.encoding && argument.format.width > 1 &&
+           (least > 0 || (least == 0 && ends_at_zero));
   }
 
   /// Pieces that begin at the first argument and at the points of a table above it; none if those
@@ -388,7 +394,7 @@ struct Wanted {
   std::optional<Pieces> between_points() const {
     std::vector<mpz_class> starts = {least};
     for (const mpq_class& knot : function.interpolation().knots()) {
-      const mpz_class start = ceiling_of(scaled(knot, -argument.unit_exponent));
+      const mpz_class start = ceiling_of(scaled(knot, -argument.format.unit_exponent));
       if (starts.back() < start && start <= greatest) starts.push_back(start);
     }
     if (starts.size() > most_starts) return std::nullopt;
@@ -396,10 +402,13 @@ struct Wanted {
   }
 
 private:
-  using Key = std::tuple<Function, int, int, bool, std::string, std::string, int, ProductKind>;
+  using Key = std::tuple<Function, int, int, bool, std::optional<FloatingEncoding>, std::string,
+                         std::string, int, ProductKind>;
   Key key() const {
-    return {function,          argument.width,       argument.unit_exponent, argument.is_signed,
-            least.get_str(62), greatest.get_str(62), unit_exponent,          products};
+    const FixedFormat& format = argument.format;
+    return {function,          format.width,      format.unit_exponent, format.is_signed,
+            argument.encoding, least.get_str(62), greatest.get_str(62), unit_exponent,
+            products};
   }
 };
 
@@ -412,14 +421,15 @@ struct Shape {
 
 /// The candidate of a shape with the fewest pieces, `address_bits` or more, that may do.
 std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int address_bits) {
-  const FixedFormat& argument = wanted.argument;
-  const FloatingCode floating{argument.width};
-  const FixedFormat code = shape.is_floating ? floating.format() : argument;
-  const int most = std::min(code.width, most_address_bits);
+  const Argument& argument = wanted.argument;
+  const Pieces whole(argument, shape.is_floating, 0, wanted.least, wanted.greatest);
+  const int most = std::min(whole.code.width, most_address_bits);
   // No piece has both signs, or two exponents.
-  const int fewest = shape.is_floating ? floating.exponent_bits() : argument.is_signed ? 1 : 0;
+  const int fewest = whole.encoding              ? whole.encoding->exponent_bits
+                     : argument.format.is_signed ? 1
+                                                 : 0;
   for (int bits = std::max(address_bits, fewest); bits <= most; ++bits) {
-    const int piece_bits = code.width - bits;
+    const int piece_bits = whole.code.width - bits;
     if (shape.degree > 0 && piece_bits == 0) break;
     Candidate made(wanted.function, wanted.arguments(),
                    Pieces(argument, shape.is_floating, piece_bits, wanted.least, wanted.greatest),
@@ -484,8 +494,23 @@ std::optional<Piecewise> search(const Wanted& wanted) {
 
 }  // namespace
 
-FixedFormat FloatingCode::format() const {
-  return {.width = exponent_bits() + fraction_bits(), .unit_exponent = -fraction_bits()};
+FixedFormat FloatingEncoding::format() const {
+  return {.width = exponent_bits + fraction_bits, .unit_exponent = -fraction_bits};
+}
+
+mpq_class FloatingEncoding::number(const mpz_class& code) const {
+  const mpz_class field = floor_of(scaled(mpq_class(code), -fraction_bits));
+  if (field < least_field) return 0;
+  const mpz_class one = shifted_left(1, fraction_bits);
+  const int exponent = static_cast<int>(field.get_si()) + exponent_of_0;
+  return scaled(mpq_class(one + code - field * one), exponent - fraction_bits);
+}
+
+FloatingEncoding FloatingCode::encoding(int unit_exponent) const {
+  return {.fraction_bits = fraction_bits(),
+          .exponent_bits = exponent_bits(),
+          .exponent_of_0 = unit_exponent - offset(),
+          .least_field = offset()};
 }
 
 mpz_class FloatingCode::of(const mpz_class& number) const {
@@ -497,7 +522,8 @@ mpz_class FloatingCode::of(const mpz_class& number) const {
 }
 
 FixedFormat Piecewise::code() const {
-  return is_floating ? FloatingCode{argument.width}.format() : argument;
+  if (!is_floating) return argument.format;
+  return FloatingCode{argument.format.width}.encoding(argument.format.unit_exponent).format();
 }
 
 int Piecewise::address_bits() const {
@@ -526,7 +552,7 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
   return floor_of(scaled(mpq_class(sum), finer));
 }
 
-std::optional<Piecewise> approximate(const Function& function, const FixedFormat& argument,
+std::optional<Piecewise> approximate(const Function& function, const Argument& argument,
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent, ProductKind products) {
   const Wanted wanted{function, argument, least, greatest, unit_exponent, products};

@@ -68,7 +68,7 @@ TEST_P(FunctionProof, FindsTheErrorsOfTheLane) {
     const auto functions = proof::functions_of(*lane);
     ASSERT_TRUE(functions) << bits;
     for (const FunctionNodes& function : *functions) {
-      const auto found = proof::enclose_function(lane->nodes, function);
+      const auto found = proof::enclose_function(*lane, lane->nodes, function);
       ASSERT_TRUE(found) << bits;
       const FixedNode& result = lane->nodes[function.result];
       // The same words have about the same error, however it is derived.

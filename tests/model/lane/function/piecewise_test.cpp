@@ -27,7 +27,7 @@ using function::ProductKind;
 std::string describe(const Function& function, const Piecewise& piecewise,
                      const mpz_class& argument) {
   return fmt::format("{} of {} in {}, {} address bits, degree {}, to {}", to_string(function),
-                     argument.get_str(), piecewise.argument.name(), piecewise.address_bits(),
+                     argument.get_str(), piecewise.argument.format.name(), piecewise.address_bits(),
                      piecewise.degree(), piecewise.result.name());
 }
 
@@ -43,7 +43,7 @@ void expect_well_formed(const Piecewise& piecewise, int unit_exponent) {
   EXPECT_EQ(piecewise.result.unit_exponent, unit_exponent);
   EXPECT_LE(piecewise.address_bits(), function::most_address_bits);
   EXPECT_GE(piecewise.piece_bits, 0);
-  const bool has_sign_in_address = piecewise.argument.is_signed && piecewise.starts.empty();
+  const bool has_sign_in_address = piecewise.argument.format.is_signed && piecewise.starts.empty();
   EXPECT_GE(piecewise.address_bits(), has_sign_in_address ? 1 : 0);
   for (const auto& coefficient : piecewise.coefficients) {
     ASSERT_EQ(coefficient.words.size(), std::size_t{1} << piecewise.address_bits());
@@ -57,7 +57,7 @@ void expect_well_formed(const Piecewise& piecewise, int unit_exponent) {
 void expect_right(const Function& function, const Piecewise& piecewise, const mpz_class& argument) {
   const mpz_class result = evaluate(piecewise, argument);
   const mpq_class computed = result * piecewise.result.unit();
-  const Range truth = value_at(function, argument * piecewise.argument.unit());
+  const Range truth = value_at(function, argument * piecewise.argument.format.unit());
   EXPECT_TRUE(holds(piecewise.result, result)) << describe(function, piecewise, argument);
   EXPECT_TRUE(computed - truth.low >= piecewise.error.low &&
               computed - truth.high <= piecewise.error.high)
@@ -127,7 +127,7 @@ TEST_P(EveryArgument, HasAResultWithinTheError) {
         if (range >= ranges.size() || !has_values(function, ranges[range])) continue;
         const Arguments& arguments = ranges[range];
         const ProductKind products = tables % 5 < 3 ? ProductKind::embedded : ProductKind::logic;
-        const auto piecewise = approximate(function, format, arguments.least, arguments.greatest,
+        const auto piecewise = approximate(function, {format}, arguments.least, arguments.greatest,
                                            unit_exponent, products);
         // Otherwise a table may have a word for each argument.
         if (!piecewise && width > function::most_address_bits) continue;
@@ -180,7 +180,7 @@ int expect_right_tables(Function function, std::initializer_list<std::pair<int, 
              {Arguments{format, low, high}, {format, high - 3 * eighth, high - eighth + 1}}) {
           if (!has_values(function, arguments)) continue;
           const auto piecewise =
-              approximate(function, format, arguments.least, arguments.greatest, unit_exponent);
+              approximate(function, {format}, arguments.least, arguments.greatest, unit_exponent);
           if (!piecewise) continue;
           ++tables;
           expect_well_formed(*piecewise, unit_exponent);
@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(Functions, EveryArgument, testing::ValuesIn(tested_func
 std::optional<Piecewise> of_sixty_fourths(const Function& function, const mpz_class& least,
                                           const mpz_class& greatest, int unit_exponent = -8) {
   const FixedFormat format = {.width = 10, .unit_exponent = -6, .is_signed = true};
-  return approximate(function, format, least, greatest, unit_exponent);
+  return approximate(function, {format}, least, greatest, unit_exponent);
 }
 
 TEST(Piecewise, IsNoneWhereTheFunctionHasNoValue) {
@@ -249,14 +249,14 @@ TEST(Piecewise, IsNoneAcrossAPole) {
 /// 40 oscillations on each piece.
 TEST(Piecewise, IsNoneWhereItWouldNeedMorePieces) {
   const FixedFormat format = {.width = 20, .unit_exponent = -2};
-  EXPECT_FALSE(approximate(Function::sin, format, 0, format.largest(), -8));
+  EXPECT_FALSE(approximate(Function::sin, {format}, 0, format.largest(), -8));
 }
 
 /// No piece of few bits follows a corner between two arguments: pieces begin at the points.
 TEST(Piecewise, OfATableBeginsAtItsPointsWhereUnitsAreFine) {
   const FixedFormat format = {.width = 31, .unit_exponent = -30};
-  const auto coarse = approximate(measured(1), format, 0, format.largest(), -6);
-  const auto fine = approximate(measured(1), format, 0, format.largest(), -28);
+  const auto coarse = approximate(measured(1), {format}, 0, format.largest(), -6);
+  const auto fine = approximate(measured(1), {format}, 0, format.largest(), -28);
   ASSERT_TRUE(coarse && fine);
   EXPECT_TRUE(coarse->starts.empty());
   const std::vector<mpz_class> starts = {0, (shifted_left(1, 30) + 6) / 7};
@@ -278,7 +278,7 @@ TEST(Piecewise, OfATableWithTooManyPointsIsNone) {
   for (mpq_class& place : x) place.canonicalize();
   const Function zigzag = Function::through("", Interpolation::through(x, y, 1).value());
   const FixedFormat format = {.width = 20, .unit_exponent = -20};
-  EXPECT_FALSE(approximate(zigzag, format, 0, format.largest(), -10));
+  EXPECT_FALSE(approximate(zigzag, {format}, 0, format.largest(), -10));
 }
 
 TEST(Piecewise, OfEqualCallsIsEqual) {
@@ -299,7 +299,7 @@ TEST(Piecewise, HasNoWiderFactorsInLogic) {
   for (int width = 13; width <= 22; ++width) {
     const FixedFormat format = {.width = width, .unit_exponent = -width};
     const auto bits_of_factors = [&](ProductKind products) {
-      const auto made = approximate(Function::exp, format, 0, format.largest(), -width, products);
+      const auto made = approximate(Function::exp, {format}, 0, format.largest(), -width, products);
       return made->degree() * made->piece_bits;
     };
     const int logic = bits_of_factors(ProductKind::logic);

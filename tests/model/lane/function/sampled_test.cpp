@@ -52,7 +52,7 @@ protected:
     const Range values = function::value(function, function::Interval(range_of(function))).range();
     const int finest = static_cast<int>(floor_log2(absolute(values).high)) + 1 - bits;
     for (int unit = finest; unit < finest + 8; ++unit) {
-      auto found = function::approximate(function, format_, least_, greatest_, unit);
+      auto found = function::approximate(function, {format_}, least_, greatest_, unit);
       if (found) return found;
     }
     return std::nullopt;

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "model/base/number/dyadic.hpp"
+#include "model/lane/fixed/function_error.hpp"
+#include "model/lane/fixed/graph_builder.hpp"
+#include "model/lane/fixed/node_enclosure.hpp"
+#include "model/lane/function/taylor.hpp"
+
+/// Functions of operands that are read as their encodings. Proof: docs/fixed_point.md, theorem 10.
+namespace mixcmp::fixed {
+namespace {
+
+using function::Interval;
+
+Range values_at(const Function& function, const Range& numbers) {
+  return function::value(function, Interval(numbers)).range();
+}
+
+/// The unit of values that have `bits` bits.
+mpq_class unit_of(const Range& values, int bits) {
+  const mpq_class greatest = absolute(values).high;
+  return greatest == 0 ? mpq_class(0)
+                       : power_of_two(static_cast<int>(floor_log2(greatest)) + 1 - bits);
+}
+
+/// The encodings of a range: with whole binades, whose ends are cheaper to check, where the
+/// function errs little more for it and has no larger values.
+std::optional<EncodedRange> checked_range(const Function& function, const EncodedRange& exact) {
+  const auto moved = exact.moved_by(function);
+  if (!moved) return std::nullopt;
+  const EncodedRange whole = exact.with_whole_binades();
+  const auto more = whole.moved_by(function);
+  if (!more || absolute(*more).high > worth_a_limit * absolute(*moved).high) return exact;
+  const Range values = values_at(function, exact.numbers());
+  const bool are_larger = unit_of(values_at(function, whole.numbers()), 0) > unit_of(values, 0);
+  return are_larger ? exact : whole;
+}
+
+}  // namespace
+
+/// The numbers above 0 that operands of a function have. A lane leaves undecided what is smaller
+/// than the largest by a factor of 2^W, where the function has no value at 0: none if 0 is among
+/// the others.
+std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function,
+                                                        const Range& declared) const {
+  Range numbers = declared;
+  const auto end = domain(function).low;
+  if (numbers.high <= 0 || !end) return std::nullopt;
+  if (end->at == 0 && end->is_open && !options_.is_reference) {
+    const auto top = static_cast<int>(floor_log2(numbers.high));
+    numbers.low = std::max<mpq_class>(numbers.low, power_of_two(top - options_.format.bits));
+  }
+  const mpq_class least = power_of_two(input_format_.min_exponent());
+  const mpq_class most = power_of_two(input_format_.max_exponent());
+  return numbers.low >= least && numbers.high <= most ? std::optional(numbers) : std::nullopt;
+}
+
+/// A function of an operand whose error counts the more the nearer the operand is to 0. It reads
+/// the operand's encoding, in as few bits as move its values by half a unit of W bits. None if it
+/// moves values no further in fixed point, or where the operand has no such encoding.
+std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, int further) {
+  const Node& node = graph_.nodes()[applied.node];
+  const FixedPoint& format = options_.format;
+  const bool is_cut = format.is_block || format.guard_digits > 0;
+  if (node.operation != Operation::input || is_cut || graph_.limits().contains(applied.node)) {
+    return std::nullopt;
+  }
+  const auto input = static_cast<std::size_t>(node.input);
+  const OperandFormat arriving = options_.operand_formats.empty() ? OperandFormat(input_format_)
+                                                                  : options_.operand_formats[input];
+  if (arriving.floating() == nullptr || nodes_[known_[applied.node]].is_promised) {
+    return std::nullopt;
+  }
+  const Range& declared = *options_.ranges[input];
+  const auto numbers = encoded_numbers(applied.function, declared);
+  if (!numbers) return std::nullopt;
+  const mpq_class unit = unit_of(values_at(applied.function, *numbers), format.bits + further);
+  const auto fixed = moved_by(applied.function, declared, nodes_[known_[applied.node]].error);
+  if (unit == 0 || (fixed && absolute(*fixed).high <= unit)) return std::nullopt;
+  const int most = arriving.floating()->fraction_bits();
+  for (int fraction_bits = 1; fraction_bits <= most; ++fraction_bits) {
+    const auto range = checked_range(
+        applied.function, EncodedRange::of(input_format_, fraction_bits, most, *numbers));
+    if (!range) return std::nullopt;
+    const Range moved = *range->moved_by(applied.function);
+    if (fraction_bits < most && absolute(moved).high > unit / 2) continue;
+    const Range values = values_at(applied.function, range->numbers());
+    const auto piecewise = function::approximate(
+        applied.function, {range->encoding().format(), range->encoding()}, range->first_code(),
+        range->last_code(), unit_exponent_for(values, absolute(moved).high, format.bits + further),
+        options_.products);
+    if (!piecewise) return std::nullopt;
+    const NodeId argument = encoded_argument(applied.function, node.input, *range);
+    return value_of(applied.function, *piecewise, argument, values, moved);
+  }
+  return std::nullopt;
+}
+
+/// The argument's code: the low bits of an operand's encoding, or the encoding less the first.
+NodeId FixedGraphBuilder::encoded_argument(const Function& function, int input,
+                                           const EncodedRange& range) {
+  FixedNode operand{.operation = Operation::input, .input = input, .constant = {}};
+  operand.conversion = Conversion::floating;
+  operand.dropped_bits = input_format_.fraction_bits() - range.fraction_bits;
+  operand.format = {.width = input_format_.width() - operand.dropped_bits,
+                    .unit_exponent = -range.fraction_bits};
+  const mpq_class unit = operand.format.unit();
+  operand.value = {0, operand.format.largest() * unit};
+  FixedNode checked = conversion(Conversion::limit, add(std::move(operand)));
+  checked.value = {range.least * unit, range.greatest * unit};
+  checked.format = format_of(checked.value, -range.fraction_bits);
+  const NodeId encoding = add(std::move(checked));
+
+  const function::FloatingEncoding floating = range.encoding();
+  const int first = range.first_exponent();
+  const bool is_low_bits = first % (1 << floating.exponent_bits) == 0;
+  FixedNode code = is_low_bits
+                       ? conversion(Conversion::place, encoding)
+                       : exactly(Operation::subtract, encoding, exact_constant(first, 0, first));
+  code.format = floating.format();
+  code.value = {range.first_code() * unit, range.last_code() * unit};
+  code.error = {0, 0};
+  code.function = function;
+  return add(std::move(code));
+}
+
+}  // namespace mixcmp::fixed
