@@ -25,7 +25,7 @@ class FunctionSides:
         self.rng = rng
         self.leaves = leaves
         self.range_of = range_of
-        self.kinds = {"smooth": 6, "power": 2, "quotient": 2, "table": 2}
+        self.kinds = {"smooth": 6, "power": 2, "quotient": 2, "table": 2, "decades": 3}
         if are_exact:
             self.kinds |= {"mod": 2, "sign": 1, "direction": 2}
 
@@ -87,6 +87,20 @@ class FunctionSides:
         if self.rng.random() < 0.3:
             divisor = ("neg", divisor)
         return ("/", self.rng.choice((self.leaf, self.linear))(), divisor)
+
+    def decades(self):
+        """A function that is steep near 0, of an input that is not negative."""
+        tree = self.leaf()
+        if self.bounds(tree)[0] < 0:
+            return self.smooth()
+        if self.rng.random() < 0.3:
+            tree = ("*", tree, self.some("3", "0.25", "0.1"))
+        kind = self.rng.choice(("log", "log2", "power", "quotient"))
+        if kind == "quotient":
+            return ("/", self.leaf(), tree)
+        if kind == "power":
+            return ("power", tree, self.rng.choice(("0.3", "0.75", "-1/3", "-1.5", "-2")))
+        return (kind, tree)
 
     def exact(self):
         """An input or a difference of two."""

@@ -132,7 +132,30 @@ count = 3000
 )toml",
                     SimulatorKind::icarus};
 
-INSTANTIATE_TEST_SUITE_P(Of, Functions, testing::Values(exponential, logarithm, angles, mixed),
+/// Operands near 0, which functions read as their encodings: as the low bits of it, and less the
+/// first exponent; by look-ups and by polynomials.
+const Case decades = {"operands_of_many_decades", R"toml(
+f = "t * log(u) + x / v"
+g = "(3 * w)^-0.5"
+[inputs]
+u = { range = [0.0001220703125, 1], format = "binary32" }
+v = { range = [0.002, 30], format = "binary16" }
+w = { range = [0.01, 9], format = "binary32" }
+t = { range = [0, 16], format = "binary32" }
+x = { range = [-1, 1], format = "binary16" }
+[reference]
+format = "q30"
+[reduced]
+format = "q9"
+[system]
+lanes = 1
+references = 1
+[data]
+count = 3000
+)toml"};
+
+INSTANTIATE_TEST_SUITE_P(Of, Functions,
+                         testing::Values(exponential, logarithm, angles, mixed, decades),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 /// A function of one item's operands is computed when the item is loaded.
@@ -191,28 +214,40 @@ pairs = "arg_min"
 )toml",
                       SimulatorKind::icarus};
 
-INSTANTIATE_TEST_SUITE_P(Of, FunctionsInEngines, testing::Values(pairwise, arg_min),
+/// The word of an item has the encoding of x, and x itself in fixed point.
+const Case pairwise_decades = {"pairwise_of_many_decades", R"toml(
+f = "log(xi) * wj + xj"
+g = "log(xj) * wi + xi"
+[inputs]
+"x*" = { range = [0.001, 4], format = "binary32" }
+"w*" = { range = [0, 4], format = "binary16" }
+[reference]
+format = "q26"
+[reduced]
+format = "q8"
+[engine]
+kind = "pairwise"
+capacity = 64
+lanes_per_group = 2
+[system]
+lanes = 2
+references = 1
+[data]
+count = 60
+pairs = "all"
+)toml"};
+
+INSTANTIATE_TEST_SUITE_P(Of, FunctionsInEngines,
+                         testing::Values(pairwise, arg_min, pairwise_decades),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 /// Every pair of numbers of a small format, infinities and NaNs among them, and numbers outside of
 /// the declared range.
-TEST(FunctionsOf, EveryPairOfASmallFormat) {
-  const scene::Scene scene = scene_of({"small", R"toml(
-f = "exp2(a) - 1"
-g = "atan(b) * a"
-[inputs]
-"*" = { range = [-3, 5], format = "s4e3" }
-[reference]
-format = "q16"
-[reduced]
-format = "q5"
-[system]
-lanes = 1
-references = 1
-[data]
-count = 3000
-)toml"});
-  const FloatFormat arriving = format_of(4, 3), read = scene.reference.format;
+class FunctionsOfSmallFormats : public testing::TestWithParam<Case> {};
+
+TEST_P(FunctionsOfSmallFormats, DecideEveryPair) {
+  const scene::Scene scene = scene_of(GetParam());
+  const FloatFormat arriving = *scene.operand_formats[0].floating(), read = scene.reference.format;
   data::Table table{.format = read, .columns = {"a", "b"}, .values = {}, .labels = {}};
   for (Bits pair = 0; pair < Bits{1} << 2 * arriving.width(); ++pair) {
     for (const Bits operand : {pair >> arriving.width(), pair & ((1 << arriving.width()) - 1)}) {
@@ -226,6 +261,41 @@ count = 3000
   EXPECT_EQ(report.comparisons, 1u << 14);
   EXPECT_GT(report.verdicts[static_cast<std::size_t>(Verdict::unordered)], 0u);
 }
+
+const Case of_both_signs = {"of_both_signs", R"toml(
+f = "exp2(a) - 1"
+g = "atan(b) * a"
+[inputs]
+"*" = { range = [-3, 5], format = "s4e3" }
+[reference]
+format = "q16"
+[reduced]
+format = "q5"
+[system]
+lanes = 1
+references = 1
+[data]
+count = 3000
+)toml"};
+
+const Case near_zero = {"near_0", R"toml(
+f = "log2(a)"
+g = "1 / b - a"
+[inputs]
+"*" = { range = [0.03125, 12], format = "s3e4" }
+[reference]
+format = "q16"
+[reduced]
+format = "q5"
+[system]
+lanes = 1
+references = 1
+[data]
+count = 3000
+)toml"};
+
+INSTANTIATE_TEST_SUITE_P(Of, FunctionsOfSmallFormats, testing::Values(of_both_signs, near_zero),
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
 }  // namespace mixcmp::test::functions_test

@@ -227,6 +227,23 @@ Unit step_threshold_unit(const fixed::RunningThresholds& thresholds, const Delay
   return std::move(stages).unit("fixed_step_threshold");
 }
 
+/// Those that are all zeros in the least number within the limit and all ones in the greatest. A
+/// bit and a sign are left.
+int unchecked_bits(const std::vector<FixedNode>& nodes, const FixedNode& limit) {
+  const FixedNode& whole = nodes[limit.operands[0]];
+  auto bits = static_cast<mp_bitcnt_t>(std::max(0, signed_bits(whole.format) - 2));
+  const auto in_units = [&](const mpq_class& end) {
+    return mpz_class(floor_of(end / limit.format.unit()));
+  };
+  if (limit.value.low > whole.value.low) {
+    bits = std::min(bits, mpz_scan1(in_units(limit.value.low).get_mpz_t(), 0));
+  }
+  if (limit.value.high < whole.value.high) {
+    bits = std::min(bits, mpz_scan0(in_units(limit.value.high).get_mpz_t(), 0));
+  }
+  return static_cast<int>(bits);
+}
+
 Unit check_unit(const FixedLane& lane, const FixedNode& checked, const DelayTable& delays) {
   StageList stages(delays);
   const int bits = operand_bits(lane.nodes, checked, 0);
@@ -235,7 +252,8 @@ Unit check_unit(const FixedLane& lane, const FixedNode& checked, const DelayTabl
     stages.add("compare", stages.lut_delay_ns(reduction_levels(compared)));
     return std::move(stages).unit("fixed_overflow");
   }
-  stages.add("compare", stages.carry(bits) + stages.lut_delay_ns(1));
+  stages.add("compare",
+             stages.carry(bits - unchecked_bits(lane.nodes, checked)) + stages.lut_delay_ns(1));
   return std::move(stages).unit("fixed_range_check");
 }
 

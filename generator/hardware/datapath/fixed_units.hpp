@@ -28,6 +28,8 @@ Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays)
 Unit common_drop_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds the threshold of a running bound.
 Unit step_threshold_unit(const fixed::RunningThresholds& thresholds, const DelayTable& delays);
+/// The low bits of a limit's operand that do not tell whether it is within the limit.
+int unchecked_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& limit);
 /// The unit that finds the numbers outside a limit, or beyond a reach.
 Unit check_unit(const fixed::FixedLane& lane, const fixed::FixedNode& checked,
                 const DelayTable& delays);

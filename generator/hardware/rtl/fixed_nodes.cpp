@@ -292,25 +292,37 @@ void FixedNodes::build_check(NodeId id) {
   const Operand misfit = declare_misfit(
       id, is_reach ? names_[node.operands[0]] + "_far" : names_[id] + "_out_of_range", step);
   datapath_.add_unit(step, "check_" + names_[id], check_parameters(id),
-                     {{"a", operand(node.operands[0], 0, step.start_cycle)},
+                     {{"a", checked_operand(node, step.start_cycle)},
                       {is_reach ? "overflow" : "out_of_range", misfit}});
+}
+
+/// The operand of a check; a limit's without the low bits that it does not need.
+Operand FixedNodes::checked_operand(const FixedNode& checked, int cycle) {
+  const NodeId whole = checked.operands[0];
+  const int low = fixed::is_reach(checked) ? 0 : datapath::unchecked_bits(lane_.nodes, checked);
+  if (low == 0) return operand(whole, 0, cycle);
+  const FixedFormat& format = lane_.nodes[whole].format;
+  const Operand value = datapath_.at(values_[whole], cycle);
+  const Operand upper = slice(std::get<Net>(value->node).name, format.width - 1, low);
+  return format.is_signed ? upper : concatenation({literal(1, 0), upper});
 }
 
 std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
   const FixedNode& node = lane_.nodes[id];
   const FixedNode& whole = lane_.nodes[node.operands[0]];
   const int width = datapath::operand_bits(lane_.nodes, node, 0);
-  std::vector<Parameter> parameters = {{"A_WIDTH", width}};
   if (fixed::is_reach(node)) {
-    parameters.push_back({"WIDTH", node.format.width + (node.format.is_signed ? 0 : 1)});
-  } else {
-    const auto in_units = [&](const mpq_class& limit) {
-      return twos_complement(width, floor_of(limit / node.format.unit()));
-    };
-    if (node.value.low > whole.value.low) parameters.push_back({"LEAST", in_units(node.value.low)});
-    if (node.value.high < whole.value.high) {
-      parameters.push_back({"GREATEST", in_units(node.value.high)});
-    }
+    return {{"A_WIDTH", width}, {"WIDTH", node.format.width + (node.format.is_signed ? 0 : 1)}};
+  }
+  const int low = datapath::unchecked_bits(lane_.nodes, node);
+  std::vector<Parameter> parameters = {{"A_WIDTH", width - low}};
+  const auto in_units = [&](const mpq_class& limit) {
+    return twos_complement(width - low,
+                           floor_of(scaled(mpq_class(limit / node.format.unit()), -low)));
+  };
+  if (node.value.low > whole.value.low) parameters.push_back({"LEAST", in_units(node.value.low)});
+  if (node.value.high < whole.value.high) {
+    parameters.push_back({"GREATEST", in_units(node.value.high)});
   }
   return parameters;
 }
@@ -488,81 +500,6 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
     if (lane_.nodes[node.operands[k]].format.is_signed) continue;
     parameters.push_back({k == 0 ? "POSITIVE_A" : "POSITIVE_B", 1});
   }
-}
-
-/// The comment of a table's word.
-std::string FixedNodes::describe_words(NodeId id, const std::string& format) const {
-  const FixedNode& node = lane_.nodes[id];
-  const std::string& argument = names_[node.operands[0]];
-  if (node.function->kind() == Function::sign) {
-    return fmt::format("{}: {} where {} is 0 or more, otherwise {}.", names_[id],
-                       node.words[0].get_str(), argument, node.words[1].get_str());
-  }
-  const std::string word = node.power < 0 ? "the start of the piece that holds the argument of " +
-                                                to_string(*node.function)
-                                          : fmt::format("the coefficient of t^{} in {}", node.power,
-                                                        applied_text(*node.function, argument));
-  const int bits = node.words.address_bits();
-  const std::string upper = bits == 1 ? "upper bit" : fmt::format("{} upper bits", bits);
-  return fmt::format(
-      "{}: {}, in {}; its address is the {} of {}, and the words follow from the last address down "
-      "to 0.",
-      names_[id], word, format, upper, argument);
-}
-
-/// Adds the comment of a node, with `more` behind it.
-void FixedNodes::describe(NodeId id, const std::string& more) {
-  const FixedNode& node = lane_.nodes[id];
-  const auto text = [&](int k) {
-    if (k >= arity(node.operation)) return std::string();
-    const FixedNode& source = lane_.nodes[node.operands[k]];
-    const bool constant = source.operation == Operation::constant;
-    return constant ? to_text(source.value.low) : names_[node.operands[k]];
-  };
-  const std::string format = node.format.name();
-  if (fixed::is_limit(node)) {
-    return datapath_.add(
-        Comment{fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
-                            to_text(node.value.low), to_text(node.value.high), format)});
-  }
-  if (fixed::is_reach(node)) {
-    return datapath_.add(Comment{fmt::format(
-        "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
-  }
-  if (node.operation == Operation::look_up) {
-    return datapath_.describe(schedule_.steps[id], describe_words(id, format));
-  }
-  if (fixed::is_floating_code(node)) {
-    return datapath_.describe(
-        schedule_.steps[id],
-        fmt::format(
-            "{} as a floating-point number: the place of its leading one, {} bits behind.", text(0),
-            function::FloatingCode{lane_.nodes[node.operands[0]].format.width}.fraction_bits()));
-  }
-  if (node.conversion == fixed::Conversion::place) {
-    return datapath_.add(
-        Comment{fmt::format("t, {}'s place in its piece: the low bits, {}.", text(0), format)});
-  }
-  if (node.conversion == fixed::Conversion::function_value) {
-    return datapath_.add(Comment{fmt::format("{}, rounded down to {}.", text(0), format)});
-  }
-  const bool is_input = node.operation == Operation::input;
-  const bool is_cut = fixed::is_common_cut(node);
-  if (node.operation == Operation::input && node.is_promised) {
-    return datapath_.describe(
-        schedule_.steps[id],
-        fmt::format("{} exactly, in {}; the scene promises multiples of {}.",
-                    datapath_.port(node.input), format, to_text(node.format.unit())));
-  }
-  const bool rounds =
-      is_input || is_cut || node.dropped_bits > 0 || node.operation == Operation::square_root;
-  const std::string scaled = lane_.format.is_block ? " / 2^(1 + the largest exponent)" : "";
-  const std::string what = is_input ? datapath_.port(node.input) + scaled
-                           : is_cut ? fmt::format("{} / 2^{}", text(0), common_drop_.name)
-                                    : formula(node.operation, text(0), text(1));
-  datapath_.describe(
-      schedule_.steps[id],
-      fmt::format("{}, {} {}.{}", what, rounds ? "rounded down to" : "exact in", format, more));
 }
 
 Literal twos_complement(int width, const mpz_class& value) {

@@ -48,6 +48,7 @@ private:
   void build_conversion(NodeId id);
   void consume_bits(const std::string& name, int high, int low);
   void build_check(NodeId id);
+  Operand checked_operand(const fixed::FixedNode& checked, int cycle);
   std::vector<Parameter> check_parameters(NodeId id) const;
   Signal any_of(const char* name, const std::vector<Signal>& flags);
   void build_unit(NodeId id);
@@ -60,6 +61,7 @@ private:
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
   void describe(NodeId id, const std::string& more = {});
+  bool describe_encoding(NodeId id);
   std::string describe_words(NodeId id, const std::string& format) const;
   void declare(NodeId id);
   Operand declare_misfit(NodeId id, const std::string& name, const datapath::Step& step);

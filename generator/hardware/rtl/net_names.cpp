@@ -174,15 +174,18 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
     const fixed::FixedNode& node = lane.nodes[id];
     if (node.operation == Operation::input) {
       const std::string& port = ports[node.input];
-      spellings.push_back(port);
+      const bool is_encoding = fixed::is_encoding(node);
+      spellings.push_back(is_encoding ? port + "_encoding" : port);
       const bool is_port = fixed::is_read_as_it_arrives(lane, node) && node.dropped_bits == 0;
-      names.push_back(is_port ? port : pool.unique(port + "_fixed"));
+      names.push_back(is_port ? port : pool.unique(port + (is_encoding ? "_encoding" : "_fixed")));
       continue;
     }
     const int count = arity(node.operation);
     const std::string a = count > 0 ? spellings[node.operands[0]] : "";
     const std::string b = count > 1 ? spellings[node.operands[1]] : "";
-    std::string wanted = spelled_or_role(node, a, b);
+    std::string wanted = fixed::is_code_of_encoding(lane.nodes, node)
+                             ? to_string(*node.function) + "_code"
+                             : spelled_or_role(node, a, b);
     for (std::size_t part = lane.parts.size(); part-- > 0;) {
       if (id != lane.parts[part].difference) continue;
       wanted = "difference" + part_suffix(part, lane.parts.size());

@@ -27,99 +27,6 @@ constexpr std::size_t further_terms = 4;
 /// A lane with more pieces than a table has words is no lane of this program.
 constexpr int most_pieces = 1 << function::most_address_bits;
 
-bool is_place(const FixedNode& node) {
-  return node.conversion == Conversion::place;
-}
-
-/// Whether a node takes the argument of a polynomial apart.
-bool reads_argument(const FixedNode& node) {
-  return node.operation == Operation::look_up || is_place(node);
-}
-
-/// Whether a node finds the piece of a table of points: a comparison with a start, a sum of such,
-/// or t.
-bool is_step(const FixedNode& node) {
-  if (!node.function) return false;
-  if (node.operation == Operation::look_up) {
-    return node.function->kind() == Function::sign && node.words[1] == 0;
-  }
-  const bool is_sum = node.operation == Operation::add || node.operation == Operation::subtract;
-  return is_sum && node.function->kind() == Function::table;
-}
-
-/// Whether a node makes the code of an operand's encoding: its low bits, or what is left without
-/// the first exponent, behind a limit.
-bool is_code_of_encoding(const std::vector<FixedNode>& nodes, NodeId id) {
-  const FixedNode& node = nodes[id];
-  const bool is_difference = node.operation == Operation::subtract && node.function &&
-                             nodes[node.operands[1]].operation == Operation::constant;
-  if (!is_place(node) && !is_difference) return false;
-  const FixedNode& limit = nodes[node.operands[0]];
-  return fixed::is_limit(limit) && fixed::is_encoding(nodes[limit.operands[0]]);
-}
-
-/// Collects the nodes below a result.
-class Below {
-public:
-  Below(const std::vector<FixedNode>& nodes, NodeId result)
-      : nodes_(nodes), found_{result, -1, {}} {
-    const FixedNode& node = nodes[result];
-    is_right_ = node.operation == Operation::look_up ? from_argument(node.operands[0])
-                                                     : inside(node.operands[0]);
-  }
-
-  std::optional<FunctionNodes> found() const {
-    return is_right_ && found_.argument >= 0 ? std::optional(found_) : std::nullopt;
-  }
-
-private:
-  /// The argument itself or its floating-point code.
-  bool from_argument(NodeId id) {
-    if (fixed::is_floating_code(nodes_[id]) || is_code_of_encoding(nodes_, id)) {
-      found_.inside.insert(id);
-      id = nodes_[id].operands[0];
-    }
-    if (found_.argument < 0) found_.argument = id;
-    return found_.argument == id;
-  }
-
-  bool inside(NodeId id) {
-    const FixedNode& node = nodes_[id];
-    if (node.operation == Operation::constant) return true;
-    found_.inside.insert(id);
-    if (reads_argument(node)) {
-      const NodeId read = node.operands[0];
-      return is_step(nodes_[read]) ? inside(read) : from_argument(read);
-    }
-    if (node.operation == Operation::subtract && is_step(node)) {
-      return from_argument(node.operands[0]) && inside(node.operands[1]);
-    }
-    if (node.operation != Operation::multiply && node.operation != Operation::add) return false;
-    return inside(node.operands[0]) && inside(node.operands[1]);
-  }
-
-  const std::vector<FixedNode>& nodes_;
-  FunctionNodes found_;
-  bool is_right_;
-};
-
-/// The inside nodes that the lane's criteria read, or nodes outside.
-bool any_read_outside(const fixed::FixedLane& lane, const std::set<NodeId>& inside,
-                      const std::set<NodeId>& results) {
-  for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
-    if (inside.contains(id) || results.contains(id)) continue;
-    const FixedNode& node = lane.nodes[id];
-    for (int k = 0; k < arity(node.operation); ++k) {
-      if (inside.contains(node.operands[k])) return true;
-    }
-  }
-  return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
-    const std::vector<NodeId> read = fixed::read_by(part.criterion);
-    return inside.contains(part.difference) ||
-           std::any_of(read.begin(), read.end(), [&](NodeId id) { return inside.contains(id); });
-  });
-}
-
 using Polynomial = std::vector<mpq_class>;  ///< [k]: the coefficient of t^k
 
 Range values_of(const Polynomial& polynomial, const Range& t) {
@@ -268,7 +175,7 @@ public:
         const FloatingCode code{argument_.format.width};
         binades_ = {argument_.format.unit_exponent - code.offset(), code.fraction_bits(),
                     code.offset()};
-      } else if (is_code_of_encoding(nodes, id)) {
+      } else if (fixed::is_code_of_encoding(nodes, nodes[id])) {
         code_ = id;
         binades_ = {first_exponent() - lane.input_format.bias(), -argument_.format.unit_exponent,
                     0};
@@ -379,7 +286,7 @@ private:
   }
 
   bool is_floating() const { return code_ != function_.argument; }
-  bool is_encoded() const { return is_code_of_encoding(nodes_, code_); }
+  bool is_encoded() const { return fixed::is_code_of_encoding(nodes_, nodes_[code_]); }
   /// Whether the code's format holds the codes of all arguments, as numbers that grow with them.
   bool has_code() const {
     const FixedFormat& format = nodes_[code_].format;
@@ -552,37 +459,6 @@ private:
 };
 
 }  // namespace
-
-std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& lane) {
-  std::vector<FunctionNodes> functions;
-  std::set<NodeId> inside, results;
-  const auto add = [&](NodeId result) {
-    const auto found = Below(lane.nodes, result).found();
-    if (!found) return false;
-    inside.insert(found->inside.begin(), found->inside.end());
-    results.insert(result);
-    functions.push_back(*found);
-    return true;
-  };
-  const auto count = static_cast<NodeId>(lane.nodes.size());
-  for (NodeId id = 0; id < count; ++id) {
-    if (!is_remainder(lane.nodes[id])) continue;
-    const auto found = nodes_of_remainder(lane.nodes, id);
-    if (!found) return std::nullopt;
-    inside.insert(found->inside.begin(), found->inside.end());
-    results.insert(id);
-    functions.push_back(*found);
-  }
-  for (NodeId id = 0; id < count; ++id) {
-    if (lane.nodes[id].conversion == Conversion::function_value && !add(id)) return std::nullopt;
-  }
-  for (NodeId id = 0; id < count; ++id) {  // other tables have the values themselves
-    const bool is_table = lane.nodes[id].operation == Operation::look_up;
-    if (is_table && !inside.contains(id) && !add(id)) return std::nullopt;
-  }
-  if (any_read_outside(lane, inside, results)) return std::nullopt;
-  return functions;
-}
 
 std::optional<FunctionEnclosure> enclose_function(const fixed::FixedLane& lane,
                                                   const std::vector<FixedNode>& nodes,

@@ -8,23 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "model/judge/proof/function_structure.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 
 /// Functions of lanes in fixed point, derived again from the lane's nodes: from the words of its
 /// tables, without the search that made them.
 namespace mixcmp::proof {
-
-/// The nodes that compute one function. Those inside (tables, t, products and sums) stand for no
-/// number of the comparison.
-struct FunctionNodes {
-  NodeId result;
-  NodeId argument;
-  std::set<NodeId> inside;
-};
-
-/// The functions that a lane computes. None if a node inside a polynomial has an operation that
-/// polynomials do not have, or is read from outside.
-std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& lane);
 
 struct FunctionEnclosure {
   Range value;  ///< encloses the computed number

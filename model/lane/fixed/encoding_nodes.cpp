@@ -12,6 +12,10 @@ namespace {
 
 using function::Interval;
 
+/// An encoding costs a range check, and tables for each exponent. It is worth that if the operand
+/// in fixed point moves values by more than so many units.
+constexpr int worth_an_encoding = 4;
+
 Range values_at(const Function& function, const Range& numbers) {
   return function::value(function, Interval(numbers)).range();
 }
@@ -38,15 +42,16 @@ std::optional<EncodedRange> checked_range(const Function& function, const Encode
 
 }  // namespace
 
-/// The numbers above 0 that operands of a function have. A lane leaves undecided what is smaller
-/// than the largest by a factor of 2^W, where the function has no value at 0: none if 0 is among
-/// the others.
+/// The numbers above 0 that operands of a function have, if its values begin at 0 and end nowhere.
+/// If 0 has no value, a lane leaves undecided what is smaller than the largest number by a factor
+/// of 2^W. None if 0 is among the numbers that are left.
 std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function,
                                                         const Range& declared) const {
   Range numbers = declared;
-  const auto end = domain(function).low;
-  if (numbers.high <= 0 || !end) return std::nullopt;
-  if (end->at == 0 && end->is_open && !options_.is_reference) {
+  const Domain accepted = domain(function);
+  const bool begins_at_zero = accepted.low && accepted.low->at == 0 && !accepted.high;
+  if (numbers.high <= 0 || !begins_at_zero) return std::nullopt;
+  if (accepted.low->is_open && !options_.is_reference) {
     const auto top = static_cast<int>(floor_log2(numbers.high));
     numbers.low = std::max<mpq_class>(numbers.low, power_of_two(top - options_.format.bits));
   }
@@ -57,7 +62,7 @@ std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function
 
 /// A function of an operand whose error counts the more the nearer the operand is to 0. It reads
 /// the operand's encoding, in as few bits as move its values by half a unit of W bits. None if it
-/// moves values no further in fixed point, or where the operand has no such encoding.
+/// moves values by few units in fixed point, or where the operand has no such encoding.
 std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, int further) {
   const Node& node = graph_.nodes()[applied.node];
   const FixedPoint& format = options_.format;
@@ -76,7 +81,9 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
   if (!numbers) return std::nullopt;
   const mpq_class unit = unit_of(values_at(applied.function, *numbers), format.bits + further);
   const auto fixed = moved_by(applied.function, declared, nodes_[known_[applied.node]].error);
-  if (unit == 0 || (fixed && absolute(*fixed).high <= unit)) return std::nullopt;
+  if (unit == 0 || (fixed && absolute(*fixed).high <= worth_an_encoding * unit)) {
+    return std::nullopt;
+  }
   const int most = arriving.floating()->fraction_bits();
   for (int fraction_bits = 1; fraction_bits <= most; ++fraction_bits) {
     const auto range = checked_range(

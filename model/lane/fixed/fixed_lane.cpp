@@ -227,6 +227,17 @@ bool is_encoding(const FixedNode& node) {
   return node.operation == Operation::input && node.conversion == Conversion::floating;
 }
 
+bool is_limited_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node) {
+  return is_limit(node) && is_encoding(nodes[node.operands[0]]);
+}
+
+bool is_code_of_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node) {
+  const bool is_difference = node.operation == Operation::subtract && node.function &&
+                             nodes[node.operands[1]].operation == Operation::constant;
+  return (is_difference || node.conversion == Conversion::place) &&
+         is_limited_encoding(nodes, nodes[node.operands[0]]);
+}
+
 bool is_wires(const FixedNode& node) {
   return node.operation == Operation::convert && !is_common_cut(node) && !is_floating_code(node);
 }

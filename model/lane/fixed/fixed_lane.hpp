@@ -86,6 +86,11 @@ struct FixedNode {
 bool is_floating_code(const FixedNode& node);
 /// Whether the node is an input that is read as its encoding in floating point.
 bool is_encoding(const FixedNode& node);
+/// Whether a limit leaves encodings of some exponents.
+bool is_limited_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node);
+/// Whether the node makes a function's argument of such encodings: it is their low bits, or they
+/// less the first exponent.
+bool is_code_of_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node);
 /// Tells whether hardware computes the node by wires alone. A check of its operand may stand beside
 /// them.
 bool is_wires(const FixedNode& node);

@@ -128,8 +128,7 @@ struct Counts {
 
 /// Whether a node is an operand's encoding, limited or not: no number that approaches the operand.
 bool is_encoding(const FixedLane& lane, const FixedNode& node) {
-  return fixed::is_encoding(node) ||
-         (fixed::is_limit(node) && fixed::is_encoding(lane.nodes[node.operands[0]]));
+  return fixed::is_encoding(node) || fixed::is_limited_encoding(lane.nodes, node);
 }
 
 /// Checks each node that has a value: its format, its enclosure and, where the real number is
