@@ -12,8 +12,12 @@ namespace {
 
 using function::Interval;
 
-/// An encoding costs a range check, and tables for each exponent. It is worth that if the operand
-/// in fixed point moves values by more than so many units.
+/// An encoding has as few bits as move values by so many units of W bits. Two give the fastest
+/// plans of examples/functions.
+constexpr int moved_units = 2;
+
+/// An encoding costs a range check, and tables for each exponent. It is worth that if it moves
+/// values by so many times less than the operand in fixed point does.
 constexpr int worth_an_encoding = 4;
 
 Range values_at(const Function& function, const Range& numbers) {
@@ -61,8 +65,8 @@ std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function
 }
 
 /// A function of an operand whose error counts the more the nearer the operand is to 0. It reads
-/// the operand's encoding, in as few bits as move its values by half a unit of W bits. None if it
-/// moves values by few units in fixed point, or where the operand has no such encoding.
+/// the operand's encoding without low bits. None if that helps little, or where the operand has no
+/// such encoding.
 std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, int further) {
   const Node& node = graph_.nodes()[applied.node];
   const FixedPoint& format = options_.format;
@@ -81,7 +85,7 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
   if (!numbers) return std::nullopt;
   const mpq_class unit = unit_of(values_at(applied.function, *numbers), format.bits + further);
   const auto fixed = moved_by(applied.function, declared, nodes_[known_[applied.node]].error);
-  if (unit == 0 || (fixed && absolute(*fixed).high <= worth_an_encoding * unit)) {
+  if (unit == 0 || (fixed && absolute(*fixed).high <= worth_an_encoding * moved_units * unit)) {
     return std::nullopt;
   }
   const int most = arriving.floating()->fraction_bits();
@@ -90,7 +94,7 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
         applied.function, EncodedRange::of(input_format_, fraction_bits, most, *numbers));
     if (!range) return std::nullopt;
     const Range moved = *range->moved_by(applied.function);
-    if (fraction_bits < most && absolute(moved).high > unit / 2) continue;
+    if (fraction_bits < most && absolute(moved).high > moved_units * unit) continue;
     const Range values = values_at(applied.function, range->numbers());
     const auto piecewise = function::approximate(
         applied.function, {range->encoding().format(), range->encoding()}, range->first_code(),
