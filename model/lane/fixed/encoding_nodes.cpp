@@ -31,33 +31,33 @@ mpq_class unit_of(const Range& values, int bits) {
                        : power_of_two(static_cast<int>(floor_log2(greatest)) + 1 - bits);
 }
 
-/// The encodings of a range: with whole binades, whose ends are cheaper to check, where the
-/// function errs little more for it and has no larger values.
-std::optional<EncodedRange> checked_range(const Function& function, const EncodedRange& exact) {
-  const auto moved = exact.moved_by(function);
-  if (!moved) return std::nullopt;
-  const EncodedRange whole = exact.with_whole_binades();
-  const auto more = whole.moved_by(function);
-  if (!more || absolute(*more).high > worth_a_limit * absolute(*moved).high) return exact;
-  const Range values = values_at(function, exact.numbers());
-  const bool are_larger = unit_of(values_at(function, whole.numbers()), 0) > unit_of(values, 0);
-  return are_larger ? exact : whole;
+/// The encodings of a range: with whole binades, whose ends are cheaper to check, unless the
+/// function has larger values there.
+EncodedRange checked_range(const Function& function, const EncodedRange& declared) {
+  const EncodedRange whole = declared.with_whole_binades();
+  const auto unit = [&](const EncodedRange& range) {
+    return unit_of(values_at(function, range.numbers()), 0);
+  };
+  return unit(whole) > unit(declared) ? declared : whole;
 }
 
 }  // namespace
 
 /// The numbers above 0 that operands of a function have, if its values begin at 0 and end nowhere.
-/// If 0 has no value, a lane leaves undecided what is smaller than the largest number by a factor
-/// of 2^W. None if 0 is among the numbers that are left.
+/// If 0 is in the declared range but has no value, a lane leaves small operands undecided: a share
+/// of 2^-W of the range for logarithms, which grow slowly, of 2^-(W / 2) for powers, as
+/// `balanced_distance` does for operands in fixed point.
 std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function,
                                                         const Range& declared) const {
   Range numbers = declared;
   const Domain accepted = domain(function);
   const bool begins_at_zero = accepted.low && accepted.low->at == 0 && !accepted.high;
   if (numbers.high <= 0 || !begins_at_zero) return std::nullopt;
-  if (accepted.low->is_open && !options_.is_reference) {
+  if (numbers.low <= 0 && accepted.low->is_open && !options_.is_reference) {
+    const int bits = options_.format.bits;
     const auto top = static_cast<int>(floor_log2(numbers.high));
-    numbers.low = std::max<mpq_class>(numbers.low, power_of_two(top - options_.format.bits));
+    const bool is_power = function.kind() == Function::power;
+    numbers.low = power_of_two(top - (is_power ? (bits + 1) / 2 : bits));
   }
   const mpq_class least = power_of_two(input_format_.min_exponent());
   const mpq_class most = power_of_two(input_format_.max_exponent());
@@ -90,19 +90,19 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
   }
   const int most = arriving.floating()->fraction_bits();
   for (int fraction_bits = 1; fraction_bits <= most; ++fraction_bits) {
-    const auto range = checked_range(
+    const EncodedRange range = checked_range(
         applied.function, EncodedRange::of(input_format_, fraction_bits, most, *numbers));
-    if (!range) return std::nullopt;
-    const Range moved = *range->moved_by(applied.function);
-    if (fraction_bits < most && absolute(moved).high > moved_units * unit) continue;
-    const Range values = values_at(applied.function, range->numbers());
+    const auto moved = range.moved_by(applied.function);
+    if (!moved) return std::nullopt;
+    if (fraction_bits < most && absolute(*moved).high > moved_units * unit) continue;
+    const Range values = values_at(applied.function, range.numbers());
     const auto piecewise = function::approximate(
-        applied.function, {range->encoding().format(), range->encoding()}, range->first_code(),
-        range->last_code(), unit_exponent_for(values, absolute(moved).high, format.bits + further),
+        applied.function, {range.encoding().format(), range.encoding()}, range.first_code(),
+        range.last_code(), unit_exponent_for(values, absolute(*moved).high, format.bits + further),
         options_.products);
     if (!piecewise) return std::nullopt;
-    const NodeId argument = encoded_argument(applied.function, node.input, *range);
-    return value_of(applied.function, *piecewise, argument, values, moved);
+    const NodeId argument = encoded_argument(applied.function, node.input, range);
+    return value_of(applied.function, *piecewise, argument, values, *moved);
   }
   return std::nullopt;
 }

@@ -8,9 +8,6 @@
 /// Errors of functions in fixed point. Proof: docs/fixed_point.md, theorem 10.
 namespace mixcmp::fixed {
 
-/// A limit costs a comparator. It is worth that if errors become so many times smaller.
-inline constexpr int worth_a_limit = 2;
-
 /// The real numbers that the computed ones of a range may stand for.
 Range stood_for(const Range& computed, const Range& error);
 

@@ -13,6 +13,9 @@ namespace {
 
 using function::Interval;
 
+/// A limit costs a comparator. It is worth that if errors become so many times smaller.
+constexpr int worth_a_limit = 2;
+
 /// How near to an end without a value an argument is looked at, from so far on the other side. An
 /// error e moves the logarithm and the quotient of like numbers by some e / d at distance d. Nearer
 /// arguments, a share of d / span, are left undecided: this d makes both equal.
