@@ -95,7 +95,7 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
 bool FixedNodes::describe_encoding(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const int fraction_bits = -node.format.unit_exponent;
-  if (fixed::is_encoding(node)) {
+  if (node.is_encoding) {
     datapath_.describe(schedule_.steps[id],
                        fmt::format("{}'s encoding with {} bits of the fraction.",
                                    datapath_.port(node.input), fraction_bits));

@@ -174,7 +174,7 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
     const fixed::FixedNode& node = lane.nodes[id];
     if (node.operation == Operation::input) {
       const std::string& port = ports[node.input];
-      const bool is_encoding = fixed::is_encoding(node);
+      const bool is_encoding = node.is_encoding;
       spellings.push_back(is_encoding ? port + "_encoding" : port);
       const bool is_port = fixed::is_read_as_it_arrives(lane, node) && node.dropped_bits == 0;
       names.push_back(is_port ? port : pool.unique(port + (is_encoding ? "_encoding" : "_fixed")));

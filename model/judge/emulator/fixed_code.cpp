@@ -30,6 +30,7 @@ int needed_digits(const std::vector<FixedNode>& nodes, const FixedNode& node) {
   if (node.operation == Operation::square_root) {
     return std::max(2 * node.format.width + 1, nodes[node.operands[0]].format.width + 3);
   }
+  if (node.is_encoding) return node.format.width;
   return node.format.width + node.dropped_bits;
 }
 
@@ -243,7 +244,7 @@ private:
       const int arriving = code_.layout.columns++;
       code_.layout.inputs.emplace_back(arriving, node(id).input);
       divide.cuts.push_back({.operand = arriving, .result = id});
-      if (fixed::is_encoding(node(id))) {
+      if (node(id).is_encoding) {
         conversions.push_back(encoding(id, arriving));
         continue;
       }

@@ -118,7 +118,7 @@ private:
     }
     if (fixed::is_limit(node)) set_limits(added, node.value);
     if (node.operation == Operation::look_up) set_words(added, node);
-    if (fixed::is_encoding(node)) added.exponent_bias = lane_.input_format.bias();
+    if (node.is_encoding) added.exponent_bias = lane_.input_format.bias();
     if (fixed::is_floating_code(node)) {
       added.argument_bits = lane_.nodes[node.operands[0]].format.width;
     }
@@ -271,7 +271,7 @@ private:
       value = static_cast<Wide>(std::floor(std::ldexp(operand, -format.unit_exponent)));
       return true;
     }
-    if (node.conversion == fixed::Conversion::floating) return encode(node, operand, value);
+    if (node.exponent_bias) return encode(node, operand, value);
     const bool is_negative = std::signbit(operand);
     if (std::isnan(operand) || (is_negative && !format.is_signed)) return false;
     const double units = std::ldexp(std::abs(operand), -(format.unit_exponent + scale));
@@ -292,7 +292,7 @@ private:
     const double significand = 2 * std::frexp(operand, &exponent);
     const int fraction_bits = -node.format.unit_exponent;
     const auto fraction = static_cast<Wide>(std::ldexp(significand - 1, fraction_bits));
-    value = (Wide(exponent - 1 + node.exponent_bias) << fraction_bits) + fraction;
+    value = (Wide(exponent - 1 + *node.exponent_bias) << fraction_bits) + fraction;
     return value > 0;
   }
 

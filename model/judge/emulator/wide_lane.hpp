@@ -34,9 +34,9 @@ private:
     std::array<int, 2> shifts =
         {};  ///< of the operands before the operation, to the left; negative: to the right
     int dropped_bits;
-    bool arrives_fixed = false;  ///< an input that arrives in fixed point
-    int exponent_bias = 0;       ///< of an input's encoding
-    bool is_promised = false;    ///< an input of promised multiples of the unit
+    bool arrives_fixed = false;             ///< an input that arrives in fixed point
+    std::optional<int> exponent_bias = {};  ///< of an input that is read as its encoding
+    bool is_promised = false;               ///< an input of promised multiples of the unit
     Wide constant = 0;
     Wide low = 0, high = 0;        ///< of Conversion::limit
     int argument_bits = 0;         ///< of Conversion::floating: the operand's width

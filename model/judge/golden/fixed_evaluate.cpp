@@ -246,7 +246,7 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
   for (const FixedNode& node : lane.nodes) {
     if (node.operation == Operation::input && !scale) {
       values.emplace_back();
-    } else if (fixed::is_encoding(node)) {
+    } else if (node.is_encoding) {
       values.emplace_back(shifted(encoding(inputs[node.input]), -node.dropped_bits));
     } else if (node.operation == Operation::input && fixed::arriving_fixed(lane, node)) {
       values.emplace_back(cut(lane.input_format, inputs[node.input], node.format));
@@ -269,7 +269,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
   // In block floating point every finite number fits in the largest possible unit.
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
-    return node.operation != Operation::input || node.input != input || fixed::is_encoding(node) ||
+    return node.operation != Operation::input || node.input != input || node.is_encoding ||
            fixed::arriving_fixed(lane, node) || converted(lane.input_format, operand, node, scale);
   });
 }

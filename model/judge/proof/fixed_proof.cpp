@@ -154,7 +154,7 @@ private:
     const int own = node.format.unit_exponent - node.dropped_bits;
     switch (node.operation) {
       case Operation::input:
-        if (fixed::is_encoding(node)) return own == -lane_.input_format.fraction_bits();
+        if (node.is_encoding) return own == -lane_.input_format.fraction_bits();
         if (const FixedFormat* arriving = fixed::arriving_fixed(lane_, node)) {
           return own == arriving->unit_exponent;
         }
@@ -355,7 +355,7 @@ private:
   void assume_operand(FixedNode& node) const {
     const mpq_class unit = node.format.unit();
     node.value = {node.format.smallest() * unit, node.format.largest() * unit};
-    if (fixed::is_encoding(node)) {
+    if (node.is_encoding) {
       node.error = {0, 0};
       return;
     }

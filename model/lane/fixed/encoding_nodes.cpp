@@ -110,8 +110,8 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
 /// The argument's code: the low bits of an operand's encoding, or the encoding less the first.
 NodeId FixedGraphBuilder::encoded_argument(const Function& function, int input,
                                            const EncodedRange& range) {
-  FixedNode operand{.operation = Operation::input, .input = input, .constant = {}};
-  operand.conversion = Conversion::floating;
+  FixedNode operand{
+      .operation = Operation::input, .input = input, .is_encoding = true, .constant = {}};
   operand.dropped_bits = input_format_.fraction_bits() - range.fraction_bits;
   operand.format = {.width = input_format_.width() - operand.dropped_bits,
                     .unit_exponent = -range.fraction_bits};

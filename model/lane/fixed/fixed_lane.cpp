@@ -220,15 +220,11 @@ bool follows_operands(const FixedNode& node) {
 }
 
 bool is_floating_code(const FixedNode& node) {
-  return node.operation == Operation::convert && node.conversion == Conversion::floating;
-}
-
-bool is_encoding(const FixedNode& node) {
-  return node.operation == Operation::input && node.conversion == Conversion::floating;
+  return node.conversion == Conversion::floating;
 }
 
 bool is_limited_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node) {
-  return is_limit(node) && is_encoding(nodes[node.operands[0]]);
+  return is_limit(node) && nodes[node.operands[0]].is_encoding;
 }
 
 bool is_code_of_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node) {
@@ -328,8 +324,7 @@ const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) 
 
 bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node) {
   return node.operation == Operation::input &&
-         (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr ||
-          is_encoding(node));
+         (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr || node.is_encoding);
 }
 
 namespace {

@@ -35,8 +35,7 @@ enum class Conversion {
   /// decides the part by itself, so hardware need not compute the rest of the difference.
   reach,
   /// A number without a sign as a floating-point one (function::FloatingCode): the place of its
-  /// leading one, and the bits behind that. For an input that arrives in floating point: its
-  /// encoding, an integer that grows with the operand if that has no sign, without low bits.
+  /// leading one, and the bits behind that.
   floating,
   /// Keeps the low bits of a number in two's complement, without a sign: where it is in its piece
   /// of a piecewise polynomial.
@@ -53,9 +52,9 @@ enum class Conversion {
 /// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
 /// a negative zero if the format is unsigned. If the input is `is_promised`, so does an operand
 /// that is no multiple of the unit, and the others are converted exactly. An input that arrives in
-/// fixed point loses `dropped_bits` low bits, often none, and leaves nothing undecided. So does
-/// the encoding of one that arrives in floating point. A limit and a subtraction, or a `place`,
-/// make a function's argument of it (function::FloatingEncoding).
+/// fixed point loses `dropped_bits` low bits, often none, and leaves nothing undecided. So does an
+/// encoding; a limit and a subtraction, or a `place`, make a function's argument of it
+/// (function::FloatingEncoding).
 ///
 /// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
 /// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
@@ -67,9 +66,12 @@ struct FixedNode {
   /// For an input in floating point: the scene promises multiples of the unit. Hardware checks
   /// that, and converts them exactly.
   bool is_promised = false;
+  /// For an input in floating point: the integer is its encoding, which grows with an operand above
+  /// 0, without low bits.
+  bool is_encoding = false;
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
-  std::optional<Conversion> conversion = {};  ///< for Operation::convert; of an input: `floating`
+  std::optional<Conversion> conversion = {};  ///< for Operation::convert
   int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
   int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
   function::Words words = {};  ///< for Operation::look_up
@@ -84,8 +86,6 @@ struct FixedNode {
 };
 
 bool is_floating_code(const FixedNode& node);
-/// Whether the node is an input that is read as its encoding in floating point.
-bool is_encoding(const FixedNode& node);
 /// Whether a limit leaves encodings of some exponents.
 bool is_limited_encoding(const std::vector<FixedNode>& nodes, const FixedNode& node);
 /// Whether the node makes a function's argument of such encodings: it is their low bits, or they

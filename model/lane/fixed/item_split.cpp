@@ -109,7 +109,7 @@ private:
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
             format.is_signed,
             input.is_promised ? std::optional(format.unit_exponent) : std::nullopt,
-            fixed::is_encoding(input)};
+            input.is_encoding};
   }
 
   void note_finest(const FixedLane& lane) {
@@ -194,7 +194,7 @@ private:
     node.operands = {-1, -1};
     node.conversion = {};
     node.dropped_bits = 0;
-    node.is_promised = false;  // the loader checks it
+    node.is_promised = node.is_encoding = false;  // the loader sees to it
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
         {.role = role,

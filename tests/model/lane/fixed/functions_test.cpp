@@ -128,7 +128,7 @@ struct Counts {
 
 /// Whether a node is an operand's encoding, limited or not: no number that approaches the operand.
 bool is_encoding(const FixedLane& lane, const FixedNode& node) {
-  return fixed::is_encoding(node) || fixed::is_limited_encoding(lane.nodes, node);
+  return node.is_encoding || fixed::is_limited_encoding(lane.nodes, node);
 }
 
 /// Checks each node that has a value: its format, its enclosure and, where the real number is
