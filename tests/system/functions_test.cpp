@@ -214,10 +214,11 @@ pairs = "arg_min"
 )toml",
                       SimulatorKind::icarus};
 
-/// The word of an item has the encoding of x, and x itself in fixed point.
+/// The word of an item has x in fixed point, and an encoding of x of which one function reads fewer
+/// bits than the other.
 const Case pairwise_decades = {"pairwise_of_many_decades", R"toml(
-f = "log(xi) * wj + xj"
-g = "log(xj) * wi + xi"
+f = "log(xi) * wj + xj / 64 - 1 / xi"
+g = "log(xj) * wi + xi / 64 - 1 / xj"
 [inputs]
 "x*" = { range = [0.001, 4], format = "binary32" }
 "w*" = { range = [0, 4], format = "binary16" }

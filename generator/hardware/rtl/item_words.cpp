@@ -134,8 +134,10 @@ private:
 
   WordLane lane_of_fields(const fixed::FixedLane& lane) {
     WordLane made{lane, {}};
+    NamePool pool({});  // two encodings of an operand are one field with and without low bits
     for (const fixed::LoadedInput& loaded : lane.loaded_inputs) {
       made.ports.push_back(port_of(item_of(loaded.role), loaded.field, loaded.dropped_bits));
+      made.ports.back().name = pool.unique(made.ports.back().name);
     }
     for (const fixed::LoadedFlag& flag : fixed::flags_read(lane)) {
       const std::size_t first_flag = words_.split->of(flag.role).lane.outputs.size();

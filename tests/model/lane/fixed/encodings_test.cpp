@@ -84,6 +84,8 @@ TEST(Encodings, AreReadWhereAnOperandNearZeroIsSteep) {
   EXPECT_TRUE(reads_encodings(lane_of("a^-0.5", {small, 1}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a)", {1, 2}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a + 1)", {0, 1}, 14)));
+  // A table that begins at a = 0 and ends at 15.
+  EXPECT_FALSE(reads_encodings(lane_of("table('measured.csv', a - 6)", {mpq_class(1, 8), 14}, 7)));
   EXPECT_FALSE(reads_encodings(lane_of("exp(a)", {small, 1}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a * b)", {small, 1}, 14)));
 }
@@ -136,7 +138,7 @@ TEST(Encodings, LeaveOtherOperandsUndecided) {
     EXPECT_FALSE(decides(logarithm, a)) << a;
   }
   EXPECT_FALSE(takes(logarithm, format.quiet_nan()));
-  const FixedLane squared = lane_of("a^-2", {0x1.ep-3, 1}, 14);
+  const FixedLane squared = lane_of("a^-2.5", {0x1.ep-3, 1}, 14);
   EXPECT_TRUE(decides(squared, 0x1.ep-3));
   EXPECT_FALSE(decides(squared, 0x1p-3));
 }
