@@ -65,6 +65,21 @@ mpz_class threshold_of(const FixedNode& difference) {
   return std::min(threshold, shifted_left(1, difference.format.magnitude_bits()));
 }
 
+/// Whether a node is computed from each of those before it. It is not from an operand whose
+/// encoding it reads.
+std::vector<bool> read_by(const std::vector<FixedNode>& nodes, NodeId result) {
+  std::vector<bool> is_read(nodes.size(), false);
+  is_read[static_cast<std::size_t>(result)] = true;
+  for (NodeId id = result; id >= 0; --id) {
+    const FixedNode& node = nodes[id];
+    if (!is_read[static_cast<std::size_t>(id)]) continue;
+    for (int k = 0; k < arity(node.operation); ++k) {
+      is_read[static_cast<std::size_t>(node.operands[k])] = true;
+    }
+  }
+  return is_read;
+}
+
 /// The last step, such that each watched magnitude keeps at least one bit.
 int last_step_of(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& watched) {
   int last = most_last_step;
@@ -81,7 +96,10 @@ mpq_class magnitude_in_step(const FixedNode& watched, int step, int last_step) {
 std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
                                                     NodeId difference,
                                                     std::vector<NodeId> watched) {
-  std::erase_if(watched, [&](NodeId id) { return nodes[id].format.magnitude_bits() < 2; });
+  const std::vector<bool> is_read = read_by(nodes, difference);
+  std::erase_if(watched, [&](NodeId id) {
+    return nodes[id].format.magnitude_bits() < 2 || !is_read[static_cast<std::size_t>(id)];
+  });
   const int last = last_step_of(nodes, watched);
   if (watched.empty() || last < 1) return std::nullopt;
   RunningThresholds thresholds;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
@@ -84,8 +85,6 @@ TEST(Encodings, AreReadWhereAnOperandNearZeroIsSteep) {
   EXPECT_TRUE(reads_encodings(lane_of("a^-0.5", {small, 1}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a)", {1, 2}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a + 1)", {0, 1}, 14)));
-  // A table that begins at a = 0 and ends at 15.
-  EXPECT_FALSE(reads_encodings(lane_of("table('measured.csv', a - 6)", {mpq_class(1, 8), 14}, 7)));
   EXPECT_FALSE(reads_encodings(lane_of("exp(a)", {small, 1}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("log(a * b)", {small, 1}, 14)));
 }
@@ -116,6 +115,23 @@ TEST(Encodings, AreTheLowBitsOrLessTheFirstExponent) {
   EXPECT_EQ(code_of(by_wires).format.width + code_of(by_wires).format.unit_exponent, 4);
   const FixedLane by_difference = lane_of("log(a)", {mpq_class(1, 64), 9}, 14);
   EXPECT_EQ(code_of(by_difference).operation, Operation::subtract);
+}
+
+/// A running bound watches factors, of which a divisor that is read as its encoding is none.
+TEST(Encodings, AreNotWatched) {
+  const FunctionComparison comparison = {
+      "", {{"b * (c - 1) / a", "c * b"}}, {{mpq_class(1, 64), 4}, {0, 8}, {0, 8}}};
+  const Graph graph = comparison.graph();
+  const FixedLane lane =
+      fixed::fixed_lane(graph, format_of(24, 8),
+                        {.format = {.bits = 8},
+                         .bound = BoundKind::running,
+                         .ranges = {comparison.ranges.begin(), comparison.ranges.end()}})
+          .value();
+  ASSERT_TRUE(reads_encodings(lane));
+  const auto& thresholds = std::get<fixed::RunningThresholds>(lane.parts[0].criterion);
+  const std::set<NodeId> read = fixed::fan_in(lane, lane.parts[0].difference);
+  for (const NodeId id : thresholds.watched) EXPECT_TRUE(read.contains(id)) << id;
 }
 
 /// Whole binades where values grow little beyond the range, otherwise the declared ends.
