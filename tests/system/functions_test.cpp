@@ -279,11 +279,13 @@ references = 1
 count = 3000
 )toml"};
 
+/// The range of a ends at the last power of two of its format.
 const Case near_zero = {"near_0", R"toml(
 f = "log2(a)"
 g = "1 / b - a"
 [inputs]
-"*" = { range = [0.03125, 12], format = "s3e4" }
+a = { range = [0.03125, 128], format = "s3e4" }
+b = { range = [0.03125, 12], format = "s3e4" }
 [reference]
 format = "q16"
 [reduced]

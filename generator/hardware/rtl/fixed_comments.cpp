@@ -2,7 +2,6 @@
 
 #include "generator/hardware/rtl/fixed_nodes.hpp"
 #include "model/base/number/dyadic.hpp"
-#include "model/base/number/exact.hpp"
 #include "model/comparison/expression/text.hpp"
 
 /// The comments in front of a lane's nodes.
@@ -103,10 +102,11 @@ bool FixedNodes::describe_encoding(NodeId id) {
   }
   if (fixed::is_limited_encoding(lane_.nodes, node)) {
     const FloatFormat& format = lane_.input_format;
-    const auto number = [&](const mpq_class& end, int below) {
-      const int dropped = lane_.nodes[node.operands[0]].dropped_bits;
-      const mpz_class encoding = floor_of(end / node.format.unit()) + below;
-      return to_text(to_rational(format, to_bits(shifted_left(encoding, dropped))));
+    const function::FloatingEncoding encodings = {.fraction_bits = fraction_bits,
+                                                  .exponent_bits = format.exponent_bits(),
+                                                  .exponent_of_0 = -format.bias()};
+    const auto number = [&](const mpq_class& end, int further) {
+      return to_text(encodings.number(floor_of(end / node.format.unit()) + further));
     };
     datapath_.add(Comment{fmt::format(
         "{} of numbers from {} to below {}; elsewhere the lane is undecided.",

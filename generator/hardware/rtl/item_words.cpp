@@ -134,7 +134,7 @@ private:
 
   WordLane lane_of_fields(const fixed::FixedLane& lane) {
     WordLane made{lane, {}};
-    NamePool pool({});  // two encodings of an operand are one field with and without low bits
+    NamePool pool({});  // two encodings of an operand may read one field
     for (const fixed::LoadedInput& loaded : lane.loaded_inputs) {
       made.ports.push_back(port_of(item_of(loaded.role), loaded.field, loaded.dropped_bits));
       made.ports.back().name = pool.unique(made.ports.back().name);

@@ -16,8 +16,8 @@ namespace mixcmp::fixed {
 /// The operands above 0 that a lane reads as their encodings without low bits.
 struct EncodedRange {
   FloatFormat format;
-  int fraction_bits;          ///< that are left
-  int exact_fraction_bits;    ///< operands have no others
+  int fraction_bits;          ///< fraction bits that the encoding keeps
+  int exact_fraction_bits;    ///< fraction bits that operands have
   mpz_class least, greatest;  ///< biased exponent and fraction
 
   /// From the first to the last encoding whose numbers lie in `numbers`, which is above 0 and
@@ -27,7 +27,7 @@ struct EncodedRange {
   /// With all numbers that have the exponent of the first or of the last.
   EncodedRange with_whole_binades() const;
 
-  /// The bits that hold all exponents, less the first one of codes, which is biased.
+  /// Bits of a code's exponent field, and the biased exponent that codes count from.
   int exponent_bits() const;
   int first_exponent() const;
   /// The encoding of the argument's codes.

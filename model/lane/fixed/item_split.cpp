@@ -34,7 +34,7 @@ struct Loading {
   /// The properties that all formats of one column's operand share, so that a coarser one is the
   /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
   /// Units differ. An operand with a promised grid is checked against that: it shares no other's
-  /// bits. Nor does an encoding.
+  /// bits. Encodings share bits only with encodings.
   struct Operand {
     int column;
     int top;
@@ -194,7 +194,7 @@ private:
     node.operands = {-1, -1};
     node.conversion = {};
     node.dropped_bits = 0;
-    node.is_promised = node.is_encoding = false;  // the loader sees to it
+    node.is_promised = node.is_encoding = false;  // the loader has made it
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
         {.role = role,
@@ -233,6 +233,7 @@ private:
     cut.operation = Operation::convert;
     cut.operands = {finest, -1};
     cut.input = -1;
+    cut.is_promised = cut.is_encoding = false;
     cut.conversion = Conversion::cut;
     cut.dropped_bits = dropped;
     return add_once(loading, std::move(cut));
