@@ -227,8 +227,8 @@ Unit step_threshold_unit(const fixed::RunningThresholds& thresholds, const Delay
   return std::move(stages).unit("fixed_step_threshold");
 }
 
-/// Those that are all zeros in the least number within the limit and all ones in the greatest. A
-/// bit and a sign are left.
+/// A low bit does not matter if it and all below it are 0 in the least number within the limit and
+/// 1 in the greatest. At least one bit and a sign stay.
 int unchecked_bits(const std::vector<FixedNode>& nodes, const FixedNode& limit) {
   const FixedNode& whole = nodes[limit.operands[0]];
   auto bits = static_cast<mp_bitcnt_t>(std::max(0, signed_bits(whole.format) - 2));

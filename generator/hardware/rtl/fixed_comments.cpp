@@ -115,15 +115,16 @@ bool FixedNodes::describe_encoding(NodeId id) {
   }
   if (!fixed::is_code_of_encoding(lane_.nodes, node)) return false;
   const int exponent_bits = node.format.width - fraction_bits;
-  const std::string text =
-      node.operation == Operation::subtract
-          ? fmt::format("{} less the exponent {}: {} bits of an exponent, {} of the fraction.",
-                        names_[node.operands[0]], to_text(lane_.nodes[node.operands[1]].value.low),
-                        exponent_bits, fraction_bits)
-          : fmt::format("The exponent's {} low bits and {} bits of the fraction.", exponent_bits,
-                        fraction_bits);
-  node.operation == Operation::subtract ? datapath_.describe(schedule_.steps[id], text)
-                                        : datapath_.add(Comment{text});
+  if (node.operation == Operation::subtract) {
+    datapath_.describe(
+        schedule_.steps[id],
+        fmt::format("{} less the exponent {}: {} bits of an exponent, {} of the fraction.",
+                    names_[node.operands[0]], to_text(lane_.nodes[node.operands[1]].value.low),
+                    exponent_bits, fraction_bits));
+  } else {
+    datapath_.add(Comment{fmt::format("The exponent's {} low bits and {} bits of the fraction.",
+                                      exponent_bits, fraction_bits)});
+  }
   return true;
 }
 

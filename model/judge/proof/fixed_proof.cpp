@@ -350,31 +350,30 @@ private:
     });
   }
 
-  /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits, and an encoding
-  /// stands for itself. The hardware checks that promised multiples of the unit are such.
+  /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits. An encoding stands
+  /// for itself. The hardware checks that promised multiples of the unit are such.
   void assume_operand(FixedNode& node) const {
     const mpq_class unit = node.format.unit();
     node.value = {node.format.smallest() * unit, node.format.largest() * unit};
-    if (node.is_encoding) {
-      node.error = {0, 0};
-      return;
-    }
+    node.error = {0, 0};
+    if (node.is_promised || node.is_encoding) return;
     const FixedFormat* arriving = fixed::arriving_fixed(lane_, node);
-    const mpq_class arriving_unit = arriving == nullptr ? mpq_class(0) : arriving->unit();
-    node.error = {node.is_promised ? mpq_class(0) : mpq_class(arriving_unit - unit), 0};
+    node.error.low = (arriving == nullptr ? mpq_class(0) : arriving->unit()) - unit;
   }
 
   void add_script(NodeId id, const Range& value, const Range& exact) {
     const FixedNode& node = nodes_[id];
-    const std::vector<NodeId> operands(node.operands.begin(),
-                                       node.operands.begin() + arity(node.operation));
+    const auto end = node.operands.begin() + arity(node.operation);
+    const std::vector<NodeId> operands(node.operands.begin(), end);
     Script script;
     script.comment("x: numbers as computed; e: their errors; c, t: the result and the true one.");
     for (std::size_t k = 0; k < operands.size(); ++k) {
       if (k == 1 && operands[1] == operands[0]) continue;
       const FixedNode& operand = nodes_[operands[k]];
-      assume(script, computed(operands[k]), operand.value);
-      assume(script, error(operands[k]), operand.error);
+      for (const auto& [name, range] :
+           {std::pair(computed(operands[k]), operand.value), {error(operands[k]), operand.error}}) {
+        script.assume_within(name, dyadic(range.low), dyadic(range.high));
+      }
     }
     const NodeId last = operands.back();
     script.define("c", operation_text(node.operation, computed(operands[0]), computed(last)));
@@ -407,10 +406,6 @@ private:
   }
 
   static std::string shown(const mpq_class& value) { return rounded_text(value, 4); }
-
-  static void assume(Script& script, const std::string& name, const Range& range) {
-    script.assume_within(name, dyadic(range.low), dyadic(range.high));
-  }
 
   static void conclude(Script& script, const std::string& name, const Range& range) {
     script.conclude(fmt::format("{} in [{}, {}]", name, dyadic(range.low), dyadic(range.high)));

@@ -118,6 +118,10 @@ std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& l
     const bool is_table = lane.nodes[id].operation == Operation::look_up;
     if (is_table && !inside.contains(id) && !add(id)) return std::nullopt;
   }
+  for (NodeId id = 0; id < count; ++id) {  // an encoding is no number that others may compute with
+    const FixedNode& node = lane.nodes[id];
+    if (node.is_encoding || fixed::is_limited_encoding(lane.nodes, node)) inside.insert(id);
+  }
   if (any_read_outside(lane, inside, results)) return std::nullopt;
   return functions;
 }

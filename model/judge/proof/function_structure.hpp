@@ -18,7 +18,8 @@ struct FunctionNodes {
 };
 
 /// The functions that a lane computes. None if a node inside a polynomial has an operation that
-/// polynomials do not have, or is read from outside.
+/// polynomials do not have, or is read from outside, or if an encoding is read by others than
+/// functions.
 std::optional<std::vector<FunctionNodes>> functions_of(const fixed::FixedLane& lane);
 
 /// Whether a node is t, or an argument's code made of low bits.

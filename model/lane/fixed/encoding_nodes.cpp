@@ -16,8 +16,8 @@ using function::Interval;
 /// plans of examples/functions.
 constexpr int moved_units = 2;
 
-/// An encoding costs a range check, and tables for each exponent. It is worth that if it moves
-/// values by so many times less than the operand in fixed point does.
+/// An encoding costs a range check, and tables for each exponent. It pays if the operand in fixed
+/// point moves values by more than this many times `moved_units`.
 constexpr int worth_an_encoding = 4;
 
 Range values_at(const Function& function, const Range& numbers) {
@@ -39,6 +39,18 @@ EncodedRange checked_range(const Function& function, const EncodedRange& declare
     return unit_of(values_at(function, range.numbers()), 0);
   };
   return unit(whole) > unit(declared) ? declared : whole;
+}
+
+/// The encodings of numbers with the fewest bits of the fraction, of `most`, whose loss moves the
+/// function's values by no more than `movement`.
+EncodedRange with_fewest_bits(const Function& function, FloatFormat format, int most,
+                              const Range& numbers, const mpq_class& movement) {
+  for (int fraction_bits = 1;; ++fraction_bits) {
+    const EncodedRange range =
+        checked_range(function, EncodedRange::of(format, fraction_bits, most, numbers));
+    const auto moved = range.moved_by(function);
+    if (fraction_bits >= most || !moved || absolute(*moved).high <= movement) return range;
+  }
 }
 
 }  // namespace
@@ -64,9 +76,8 @@ std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function
   return numbers.low >= least && numbers.high <= most ? std::optional(numbers) : std::nullopt;
 }
 
-/// A function of an operand whose error counts the more the nearer the operand is to 0. It reads
-/// the operand's encoding without low bits. None if that helps little, or where the operand has no
-/// such encoding.
+/// A function that is steep near 0, of an operand that it reads as its encoding. None if that helps
+/// little, or where the operand has no such encoding.
 std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, int further) {
   const Node& node = graph_.nodes()[applied.node];
   const FixedPoint& format = options_.format;
@@ -88,23 +99,19 @@ std::optional<FixedNode> FixedGraphBuilder::of_encoding(const Applied& applied, 
   if (unit == 0 || (fixed && absolute(*fixed).high <= worth_an_encoding * moved_units * unit)) {
     return std::nullopt;
   }
-  const int most = arriving.floating()->fraction_bits();
-  for (int fraction_bits = 1; fraction_bits <= most; ++fraction_bits) {
-    const EncodedRange range = checked_range(
-        applied.function, EncodedRange::of(input_format_, fraction_bits, most, *numbers));
-    const auto moved = range.moved_by(applied.function);
-    if (!moved) return std::nullopt;
-    if (fraction_bits < most && absolute(*moved).high > moved_units * unit) continue;
-    const Range values = values_at(applied.function, range.numbers());
-    const auto piecewise = function::approximate(
-        applied.function, {range.encoding().format(), range.encoding()}, range.first_code(),
-        range.last_code(), unit_exponent_for(values, absolute(*moved).high, format.bits + further),
-        options_.products);
-    if (!piecewise) return std::nullopt;
-    const NodeId argument = encoded_argument(applied.function, node.input, range);
-    return value_of(applied.function, *piecewise, argument, values, *moved);
-  }
-  return std::nullopt;
+  const EncodedRange range =
+      with_fewest_bits(applied.function, input_format_, arriving.floating()->fraction_bits(),
+                       *numbers, moved_units * unit);
+  const auto moved = range.moved_by(applied.function);
+  if (!moved) return std::nullopt;
+  const Range values = values_at(applied.function, range.numbers());
+  const auto piecewise = function::approximate(
+      applied.function, {range.encoding().format(), range.encoding()}, range.first_code(),
+      range.last_code(), unit_exponent_for(values, absolute(*moved).high, format.bits + further),
+      options_.products);
+  if (!piecewise) return std::nullopt;
+  const NodeId argument = encoded_argument(applied.function, node.input, range);
+  return value_of(applied.function, *piecewise, argument, values, *moved);
 }
 
 /// The argument's code: the low bits of an operand's encoding, or the encoding less the first.

@@ -95,6 +95,23 @@ TEST(FunctionProofByGappa, IsCompleteButForWhatItSays) {
             "3, by hand");
 }
 
+/// An encoding grows with the operand, but is not near it.
+TEST(FunctionProofOfEncodings, RefusesThatOthersComputeWithThem) {
+  const FixedLane lane = lane_of("LogOfDecades", 13);
+  ASSERT_TRUE(proof::functions_of(lane));
+  int tried = 0;
+  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+    const FixedNode& node = lane.nodes[id];
+    if (!node.is_encoding && !fixed::is_limited_encoding(lane.nodes, node)) continue;
+    FixedLane wrong = lane;
+    FixedNode& difference = wrong.nodes[lane.parts[0].difference];
+    difference.operands[1] = static_cast<NodeId>(id);
+    EXPECT_FALSE(proof::functions_of(wrong)) << "node " << id;
+    ++tried;
+  }
+  EXPECT_EQ(tried, 4);  // of two logarithms
+}
+
 /// A node inside a polynomial has no error, so that nothing is said about it by itself.
 TEST(FunctionProofFindings, NameFunctionsAndNotTheirParts) {
   const proof::LaneProof proof = quick_proof(lane_of("Gaussian", 13));

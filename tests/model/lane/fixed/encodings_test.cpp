@@ -65,7 +65,7 @@ TEST(EncodedRanges, HoldTheirNumbers) {
   }
 }
 
-/// Where exponents differ in low bits only, the code is made by wires.
+/// The code is made by wires if the exponents differ in low bits only.
 TEST(EncodedRanges, BeginAtAMultipleOfTheHighestPowerOfTwo) {
   const auto first_exponent = [](const mpq_class& low, const mpq_class& high) {
     return EncodedRange::of(format_of(24, 8), 4, 23, {low, high}).first_exponent();
