@@ -118,17 +118,24 @@ int low_zeros(const Instance& instance, const char* port) {
   return zeros == nullptr ? 0 : zeros->width;
 }
 
-/// A sum without low bits that are dropped and 0 in one operand: no carry comes from them.
-TemplateInstance without_low_zeros(const Instance& sum) {
+/// The low bits of a sum that are copies of one operand's, because the other has zeros there.
+int passing_bits(const Instance& sum) {
+  const bool subtracts = number(sum, "SUBTRACT") != 0;
+  const int zeros = std::max(subtracts ? 0 : low_zeros(sum, "a"), low_zeros(sum, "b"));
+  const int dropped = number(sum, "DROPPED"), width = number(sum, "WIDTH");
+  return std::min({zeros, number(sum, "A_WIDTH") - 1, number(sum, "B_WIDTH") - 1,
+                   dropped > 0 ? dropped : width - 1});
+}
+
+/// The sum without its passing bits.
+TemplateInstance without_passing_bits(const Instance& sum) {
   TemplateInstance result{sum.module, sum.parameters};
-  const int zeros = std::max(low_zeros(sum, "a"), low_zeros(sum, "b"));
-  const int unused = std::min(
-      {zeros, number(sum, "DROPPED"), number(sum, "A_WIDTH") - 1, number(sum, "B_WIDTH") - 1});
-  if (unused <= 0 || number(sum, "SUBTRACT") != 0) return result;
+  const int passing = passing_bits(sum);
+  const char* const last = number(sum, "DROPPED") > 0 ? "DROPPED" : "WIDTH";
   for (Parameter& parameter : result.parameters) {
     const bool shrinks =
-        parameter.name == "A_WIDTH" || parameter.name == "B_WIDTH" || parameter.name == "DROPPED";
-    if (shrinks) parameter.value = number(sum, parameter.name.c_str()) - unused;
+        parameter.name == "A_WIDTH" || parameter.name == "B_WIDTH" || parameter.name == last;
+    if (shrinks) parameter.value = number(sum, parameter.name.c_str()) - passing;
   }
   return result;
 }
@@ -147,10 +154,16 @@ public:
     return {.instance = as_synthesised(instance),
             .absorbed_registers = registers == registers_.end() ? 0 : registers->second,
             .is_absorbed = sums_.contains(&instance),
-            .kept_registers = kept_registers(instance)};
+            .kept_registers = kept_registers(instance),
+            .passing_registers = passing_registers(instance)};
   }
 
 private:
+  static int passing_registers(const Instance& sum) {
+    const bool passes = sum.module == "fixed_sum" && number(sum, "DROPPED") == 0;
+    return passes && ends_in_register(sum) ? passing_bits(sum) : 0;
+  }
+
   static int kept_registers(const Instance& sum) {
     const bool keeps = sum.module == "fixed_sum" && number(sum, "DROPPED") > 0;
     return keeps && ends_in_register(sum) ? number(sum, "WIDTH") : 0;
@@ -171,7 +184,7 @@ private:
 
   /// The instance as synthesis reduces it.
   TemplateInstance as_synthesised(const Instance& instance) const {
-    if (instance.module == "fixed_sum") return without_low_zeros(instance);
+    if (instance.module == "fixed_sum") return without_passing_bits(instance);
     TemplateInstance result{instance.module, instance.parameters};
     const auto longer = longer_.find(&instance);
     if (longer == longer_.end()) return result;

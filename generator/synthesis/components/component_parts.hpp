@@ -16,7 +16,8 @@ struct Part {
   /// Whether the adder of a multiplier block makes this sum. Its register is in the block if that
   /// holds the whole sum.
   bool is_absorbed = false;
-  int kept_registers = 0;  ///< of an absorbed sum, outside of the block
+  int kept_registers = 0;     ///< of an absorbed sum, outside of the block
+  int passing_registers = 0;  ///< of a sum's low bits that need no adder
 };
 
 /// The parts of a component's hardware.

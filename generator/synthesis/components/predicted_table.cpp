@@ -48,6 +48,7 @@ devices::Area AreaPredictor::as_on_device(devices::Area area) const {
 std::optional<devices::Area> AreaPredictor::of(const Part& part) const {
   if (packs_ && part.is_absorbed) return devices::Area{.registers = part.kept_registers};
   std::optional<devices::Area> area = of(part.instance);
+  if (area) area->registers += part.passing_registers;
   if (area && packs_) area->registers -= std::min(part.absorbed_registers, area->registers);
   return area;
 }

@@ -154,7 +154,7 @@ Result<Lane> lane_in(const KeyCells& cells) {
 Result<Reference> reference_in(const KeyCells& cells) {
   MIXCMP_TRY(format, format_in(cells));
   const std::optional<FixedPoint>& fixed_point = format.fixed_point;
-  if (fixed_point && (fixed_point->is_block || fixed_point->guard_digits > 0)) {
+  if (fixed_point && !fixed_point->is_plain()) {
     return wrong("format", "not a format of references", cells.format,
                  "s53e8 or q13, for instance");
   }

@@ -180,7 +180,8 @@ TEST(CostModel, CountsTheBlocksOfSquaresInMemory) {
   }
 }
 
-/// A look-up table has six inputs; equal ones are shared, and constants cost nothing.
+/// A look-up table has six inputs; equal ones are shared. Constants and bits of the address cost
+/// nothing.
 TEST(TableLuts, AreTheDifferentPartsOfAllBits) {
   const auto luts = [](int address_bits, int width, auto word_at) {
     std::vector<Bits> words;
@@ -190,11 +191,18 @@ TEST(TableLuts, AreTheDifferentPartsOfAllBits) {
     return estimated::table_luts(words, width);
   };
   EXPECT_EQ(luts(6, 4, [](unsigned) { return Bits{10}; }), 0);
-  EXPECT_EQ(luts(6, 3, [](unsigned address) { return Bits{address >> 3}; }), 3);
-  EXPECT_EQ(luts(6, 2, [](unsigned address) { return Bits{(address & 1) * 3}; }), 1);
-  // Bit 0 has one part in both halves, bit 1 one part and a constant.
-  EXPECT_EQ(luts(7, 1, [](unsigned address) { return Bits{address & 1}; }), 1);
+  EXPECT_EQ(luts(6, 3, [](unsigned address) { return Bits{address >> 3}; }), 0);
+  EXPECT_EQ(luts(6, 2, [](unsigned address) { return Bits{(address & 5) == 4} * 3; }), 1);
+  // The parity depends on three bits of seven: one look-up table.
+  const auto parity = [](unsigned address) {
+    return Bits{(address ^ address >> 3 ^ address >> 6) & 1};
+  };
+  EXPECT_EQ(luts(7, 1, parity), 1);
+  // Bit 0 of these words is 0, bit 1 depends on two bits of the address.
   EXPECT_EQ(luts(7, 2, [](unsigned address) { return Bits{(address >> 6) * (address & 2)}; }), 1);
+  // The same function of different bits is another look-up table.
+  EXPECT_EQ(luts(6, 2, [](unsigned a) { return Bits{(a & a >> 1 & 1) | (a >> 1 & a >> 2 & 2)}; }),
+            2);
   // Four different parts; multiplexers of more than four parts are look-up tables themselves.
   const auto scattered = [](unsigned address) { return Bits{(address * 2654435761U >> 20) & 1}; };
   EXPECT_EQ(luts(8, 1, scattered), 4);
