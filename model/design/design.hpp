@@ -60,7 +60,7 @@ struct Design {
   scene::SystemSpec system;
   /// One per input: the format in which it arrives. Empty: all have the reference's format.
   std::vector<OperandFormat> operand_formats = {};
-  /// The datapath of references in fixed point.
+  /// The datapath of references in fixed point; also of a system without any, if it rounds.
   std::optional<fixed::FixedLane> fixed_reference = {};
 
   bool has_fixed_operands() const;  ///< whether any operand arrives in fixed point

@@ -150,6 +150,8 @@ class Judge:
         form = scene.get("reference", "format")
         self.is_exact, self.is_fixed = form == "exact", bool(scene.widest) and form != "exact"
         self.error = None  # of f - g in a reference in fixed point
+        # A reference in fixed point reads smaller operands as 0; ranges are within 2^6.
+        self.least = Fraction(2) ** (6 - int(form[1:])) if self.is_fixed else 0
         self.outcome = Outcome()
 
     def truth(self, inputs):
@@ -179,6 +181,8 @@ class Judge:
                 if self.graph.nodes[node].operation == "input"}
         if not all(is_finite(inputs[name]) for name in read):
             return "unordered"
+        if any(0 < abs(value_of(inputs[name])) < self.least for name in read):
+            return None  # the reference may read 0, of which a quotient or a logarithm has no value
         if exact.difference_within(self.graph, part, inputs, self.error) is not False:
             return None
         return exact.verdict(self.graph, part, inputs)

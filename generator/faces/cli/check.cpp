@@ -89,7 +89,7 @@ void print_text(const Outlook& outlook) {
     line(kind.empty() ? "reference" : "references",
          fmt::format("{}{} cycles", kind, group.latency_cycles));
   }
-  print_functions(outlook.design->requested_reference());
+  if (!signature.reference_groups.empty()) print_functions(outlook.design->requested_reference());
   if (has_requests_of_operands(signature)) {
     line("request_beats", fmt::format("{}", signature.request_beats));
   }

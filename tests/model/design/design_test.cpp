@@ -358,6 +358,20 @@ TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
       << "an operand in floating point has references in floating point";
 }
 
+/// Judges of an engine without references ask one which pairs are reported, and none in floating
+/// point has functions.
+TEST(MakeDesign, KnowsTheRoundingReferenceOfASystemWithout) {
+  Scene scene = fixed_scene();
+  scene.graph = graph_of("exp(a)", "b");
+  scene.reference_fixed_point = FixedPoint{20};
+  scene.system.references = 0;
+  const Design design = design::make_design(scene, nullptr).value();
+  EXPECT_TRUE(design.references.empty());
+  ASSERT_NE(design.requested_reference(), nullptr);
+  EXPECT_EQ(design.requested_reference()->format.bits, 20);
+  EXPECT_EQ(named_lanes(design).size(), 1u);
+}
+
 TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   Scene scene = fixed_scene();
   scene.ranges[1].reset();
