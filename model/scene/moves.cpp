@@ -6,8 +6,9 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/comparison/expression/graph_copy.hpp"
 #include "model/comparison/expression/range.hpp"
-#include "model/lane/function/taylor.hpp"
+#include "model/lane/function/value_range.hpp"
 
 namespace mixcmp::scene {
 namespace {
@@ -19,44 +20,6 @@ const Range tan_branch = {mpq_class(-157, 100), mpq_class(157, 100)};
 
 bool is_within(const Range& inner, const Range& outer) {
   return outer.low <= inner.low && inner.high <= outer.high;
-}
-
-bool has_value_in(const Function& function, const Range& arguments) {
-  const Domain all = domain(function);
-  return all.contains(arguments.low) && all.contains(arguments.high);
-}
-
-PossibleRange function_range(const Function& function, const Range& argument) {
-  if (has_jumps(function) || !has_value_in(function, argument)) return std::nullopt;
-  const function::Interval value = function::value(function, function::Interval(argument));
-  return value.is_bounded() ? PossibleRange(value.range()) : std::nullopt;
-}
-
-/// Encloses the real values of an operation; none if it may have no value or an operand has no
-/// known range.
-PossibleRange value_range(const Node& node, const PossibleRange& a, const PossibleRange& b) {
-  if (!a || (arity(node.operation) == 2 && !b)) return std::nullopt;
-  switch (node.operation) {
-    case Operation::negate: return negated(*a);
-    case Operation::absolute: return absolute(*a);
-    case Operation::add: return sum(*a, *b);
-    case Operation::subtract: return difference(*a, *b);
-    case Operation::multiply: return product(*a, *b);
-    case Operation::square: return square(*a);
-    case Operation::minimum: return minimum(*a, *b);
-    case Operation::maximum: return maximum(*a, *b);
-    case Operation::divide:
-      if (contains_zero(*b)) return std::nullopt;
-      return product(*a, {1 / b->high, 1 / b->low});
-    case Operation::square_root: return function_range(Function::power_of(mpq_class(1, 2)), *a);
-    case Operation::function: return function_range(*node.function, *a);
-    case Operation::input:
-    case Operation::constant:
-    case Operation::convert:
-    case Operation::look_up:
-    case Operation::fused_sum: break;
-  }
-  MIXCMP_CHECK(!"an operand, or an operation of typed graphs");
 }
 
 /// The increasing function that undoes an increasing one; none if expressions have none.
@@ -81,7 +44,8 @@ std::optional<Function> inverse_of(const Function& function) {
     case Function::tanh:
     case Function::sign:
     case Function::remainder:
-    case Function::table: return std::nullopt;
+    case Function::table:
+    case Function::formula: return std::nullopt;
   }
   MIXCMP_CHECK(false);
 }
@@ -147,7 +111,7 @@ private:
   }
   bool has_value(const Function& function, NodeId argument) {
     const PossibleRange& values = range(argument, declared_);
-    return values && has_value_in(function, *values);
+    return values && function::has_value_in(function, *values);
   }
   /// False if the node has limits (`within`), which lanes check.
   bool may_leave(NodeId id) const { return !graph_.limits().contains(id); }
@@ -192,7 +156,8 @@ const PossibleRange& Mover::range(NodeId id, Ranges& ranges) {
     } else if (each.operation == Operation::constant) {
       ranges.nodes.push_back(Range{each.value, each.value});
     } else {
-      ranges.nodes.push_back(value_range(each, of(each.operands[0]), of(each.operands[1])));
+      ranges.nodes.push_back(
+          function::value_range(each, of(each.operands[0]), of(each.operands[1])));
     }
   }
   return ranges.nodes[static_cast<std::size_t>(id)];
@@ -417,62 +382,13 @@ std::vector<Sides> Mover::others(const Sides& part) {
   return known;
 }
 
-/// Copies nodes, and what is known of them, into a graph that has only those.
-class Copier {
-public:
-  explicit Copier(const Graph& from) : from_(from), copies_(from.nodes().size(), -1) {
-    for (std::size_t k = 0; k < from.inputs().size(); ++k) {
-      to_.input(from.inputs()[k]);
-      const auto format = from.arriving_format(static_cast<int>(k));
-      if (format) to_.arrives_in(static_cast<int>(k), *format);
-    }
-  }
-
-  /// None if the parts do not need every input, as a / c against 0 does not need c without the
-  /// quotient.
-  std::optional<Graph> compared(std::vector<Sides> parts);
-
-private:
-  NodeId copy(NodeId id);
-  NodeId made(const Node& node);
-
-  const Graph& from_;
-  Graph to_;
-  std::vector<NodeId> copies_;
-};
-
-NodeId Copier::made(const Node& node) {
-  const auto operand = [&](int k) {
-    return k < arity(node.operation) ? copy(node.operands[static_cast<std::size_t>(k)]) : -1;
-  };
-  switch (node.operation) {
-    case Operation::input: return to_.input(from_.inputs()[static_cast<std::size_t>(node.input)]);
-    case Operation::constant: return to_.constant(node.value);
-    case Operation::function: return to_.apply(*node.function, operand(0));
-    default: {
-      const NodeId first = operand(0);
-      return to_.apply(node.operation, first, operand(1));
-    }
-  }
-}
-
-NodeId Copier::copy(NodeId id) {
-  NodeId& known = copies_[static_cast<std::size_t>(id)];
-  if (known >= 0) return known;
-  const NodeId made_one = made(from_.nodes()[static_cast<std::size_t>(id)]);
-  known = made_one;
-  const auto limits = from_.limits().find(id);
-  if (limits != from_.limits().end()) MIXCMP_CHECK(to_.limit(known, limits->second));
-  return known;
-}
-
-std::optional<Graph> Copier::compared(std::vector<Sides> parts) {
-  for (Sides& part : parts) part = {copy(part.f), copy(part.g)};
-  for (std::size_t id = 0; id < copies_.size(); ++id) {
-    if (from_.nodes()[id].operation == Operation::input && copies_[id] < 0) return std::nullopt;
-  }
-  to_.compare(std::move(parts), from_.combination());
-  return std::move(to_);
+/// The formulation with these parts; none if they do not need every input, as a / c against 0 does
+/// not need c without the quotient.
+std::optional<Graph> compared(const Graph& graph, std::vector<Sides> parts) {
+  GraphCopy copies(graph);
+  parts = copies.copy(std::move(parts));
+  if (copies.lacks_an_input()) return std::nullopt;
+  return std::move(copies).compared(std::move(parts));
 }
 
 }  // namespace
@@ -493,7 +409,7 @@ std::vector<Graph> moved(const Graph& graph, const std::vector<PossibleRange>& r
       const Sides& part = others[std::min(k, others.size() - 1)];
       if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
     }
-    auto formulation = Copier(mover.graph()).compared(std::move(parts));
+    auto formulation = compared(mover.graph(), std::move(parts));
     if (formulation) all.push_back(*std::move(formulation));
   }
   return all;

@@ -146,12 +146,12 @@ Result<Done> check_functions(const settings::Section& section, std::span<const G
 }
 
 void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
-  const bool is_plain = !format.is_block && format.guard_digits == 0;
-  if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
-  section.fail("format",
-               is_plain ? "out of range" : "a reference has neither guard digits nor blocks",
-               in_quotes(format.name()),
-               fmt::format("qW with W {}", settings::to_string(settings::limits::fixed_bits)));
+  if (format.is_plain() && settings::limits::fixed_bits.allow(format.bits)) return;
+  section.fail(
+      "format",
+      format.is_plain() ? "out of range" : "a reference has neither guard digits nor blocks",
+      in_quotes(format.name()),
+      fmt::format("qW with W {}", settings::to_string(settings::limits::fixed_bits)));
 }
 
 }  // namespace

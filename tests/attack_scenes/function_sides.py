@@ -25,7 +25,8 @@ class FunctionSides:
         self.rng = rng
         self.leaves = leaves
         self.range_of = range_of
-        self.kinds = {"smooth": 6, "power": 2, "quotient": 2, "table": 2, "decades": 3}
+        self.kinds = {"smooth": 6, "power": 2, "quotient": 2, "table": 2, "decades": 3,
+                      "formula": 4, "monomial": 4}
         if are_exact:
             self.kinds |= {"mod": 2, "sign": 1, "direction": 2}
 
@@ -101,6 +102,36 @@ class FunctionSides:
         if kind == "power":
             return ("power", tree, self.rng.choice(("0.3", "0.75", "-1/3", "-1.5", "-2")))
         return (kind, tree)
+
+    def formula(self):
+        """Several operations on one number, which a lane makes one table of."""
+        rng, t = self.rng, self.moved(-4, 4)
+        inner = rng.choice((("exp", t), ("exp", ("neg", t)), ("^", t, 2), ("cosh", t)))
+        positive = ("+", inner, self.some("1", "0.5", "0x1p-6"))
+        outer = rng.choice(("log", "/", "sqrt", "power", "sin", "tanh", "bell", "square"))
+        if outer == "/":
+            return ("/", rng.choice((self.constant(), t, ("sin", t))), positive)
+        if outer == "power":
+            return ("power", positive, rng.choice(("0.3", "-1/3", "-1.5")))
+        if outer == "bell":
+            return ("*", t, ("exp", ("neg", ("^", t, 2))))
+        if outer == "square":
+            return ("-", ("^", ("sin", t), 2), ("*", self.constant(), ("cos", t)))
+        return (outer, positive if outer in ("log", "sqrt") else ("tanh", inner))
+
+    def monomial(self):
+        """A function of a product or quotient of inputs above 0, which logarithms may add up to."""
+        rng = self.rng
+        leaves = [leaf for leaf in self.leaves if self.bounds(leaf)[0] > 0]
+        if not leaves:
+            return self.formula()
+        a, b = rng.choice(leaves), rng.choice(leaves)
+        tree = rng.choice((("/", a, b), ("*", a, b), ("*", ("^", a, 2), ("sqrt", b)),
+                           ("/", ("*", a, rng.choice(leaves)), b)))
+        if rng.random() < 0.4:
+            tree = ("*", tree, self.some("3", "0.25", "0x1p-9"))
+        function = rng.choice(("exp", "atan", "tanh", "log1p", "log"))
+        return (function, ("neg", tree) if function == "exp" else tree)
 
     def exact(self):
         """An input or a difference of two."""

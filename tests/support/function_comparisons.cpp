@@ -124,12 +124,38 @@ std::vector<FunctionComparison> named_comparisons() {
   };
 }
 
+/// Expressions of one number, which are one table, and products of many binades.
+std::vector<FunctionComparison> formula_comparisons() {
+  const mpq_class thousandth(1, 1000), hundredth(1, 100);
+  return {
+      {"Logistic", {{"1 / (1 + exp(-a))", "b"}}, {{-8, 8}, {0, 1}}},
+      {"SquareOfSin", {{"sin((a - b) / 2)^2 * 3 + 1", "c"}}, {{-3, 3}, {-3, 3}, {0, 5}}},
+      {"Bell", {{"a * exp(-a^2 / 2) + cos(a)^2", "b"}}, {{-4, 4}, {-1, 2}}},
+      {"RootOfOneNumber", {{"sqrt(2 + sin(a)) * b", "sqrt(a^2 + 1)"}}, {{-3, 3}, {0, 2}}},
+      {"FormulaWithADomain", {{"log(1 - exp(-a))", "b"}}, {{mpq_class(1, 2), 8}, {-2, 0}}},
+      {"RootWithADomain", {{"sqrt(a^2 - 1) - log(a)", "b"}}, {{2, 8}, {0, 8}}},
+      {"SharedTable", {{"exp(a) * b", "1 / (1 + exp(a))"}}, {{-2, 2}, {0, 1}}},
+      {"FormulaOfIntegers", {{"1 / (1 + exp(-a / 16))", "b"}}, {{}, {}}, {"int8", "q0.8"}},
+      {"FormulasInParts",
+       {{"1 / (1 + exp(-a))", "b"}, {"1 / (2 + cos(b))", "c"}},
+       {{-4, 4}, {0, 1}, {0, 1}}},
+      {"QuotientOfDecades", {{"exp(-a / b)", "c"}}, {{thousandth, 1000}, {hundredth, 100}, {0, 1}}},
+      {"ProductOfDecades",
+       {{"atan(a^2 * sqrt(b) / 5)", "c"}},
+       {{hundredth, 50}, {thousandth, 70}, {0, 2}}},
+      {"LogarithmOfDecades",
+       {{"log(1 + a / b)", "c + log(b)"}},
+       {{thousandth, 10}, {hundredth, 50}, {0, 8}}},
+  };
+}
+
 }  // namespace
 
 std::vector<FunctionComparison> function_comparisons() {
   std::vector<FunctionComparison> all = named_comparisons();
-  const std::vector<FunctionComparison> further = further_comparisons();
-  all.insert(all.end(), further.begin(), further.end());
+  for (const auto& further : {further_comparisons(), formula_comparisons()}) {
+    all.insert(all.end(), further.begin(), further.end());
+  }
   return all;
 }
 

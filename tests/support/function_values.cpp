@@ -6,7 +6,9 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/comparison/expression/formula.hpp"
 #include "model/judge/golden/big_float.hpp"
+#include "tests/support/graphs.hpp"
 
 namespace mixcmp::test {
 namespace {
@@ -65,9 +67,46 @@ int apply(const Function& function, mpfr_ptr y, const BigFloat& argument, mpfr_r
     case Function::power: return raise(y, argument, function.parameter(), rounding);
     case Function::sign:
     case Function::remainder:
-    case Function::table: break;  // rational values
+    case Function::table:
+    case Function::formula: break;  // they have functions of their own below
   }
   MIXCMP_CHECK(false);
+}
+
+/// One operation of a formula, rounded to the digits of y.
+void compute(const Node& node, const std::vector<BigFloat>& known, const BigFloat& argument,
+             mpfr_ptr y) {
+  const auto operand = [&](std::size_t k) {
+    return known[static_cast<std::size_t>(node.operands[k])].get();
+  };
+  switch (node.operation) {
+    case Operation::input: mpfr_set(y, argument.get(), MPFR_RNDN); return;
+    case Operation::constant: mpfr_set_q(y, node.value.get_mpq_t(), MPFR_RNDN); return;
+    case Operation::negate: mpfr_neg(y, operand(0), MPFR_RNDN); return;
+    case Operation::add: mpfr_add(y, operand(0), operand(1), MPFR_RNDN); return;
+    case Operation::subtract: mpfr_sub(y, operand(0), operand(1), MPFR_RNDN); return;
+    case Operation::multiply: mpfr_mul(y, operand(0), operand(1), MPFR_RNDN); return;
+    case Operation::square: mpfr_sqr(y, operand(0), MPFR_RNDN); return;
+    case Operation::divide: mpfr_div(y, operand(0), operand(1), MPFR_RNDN); return;
+    case Operation::square_root: mpfr_sqrt(y, operand(0), MPFR_RNDN); return;
+    case Operation::function: {
+      const auto& x = known[static_cast<std::size_t>(node.operands[0])];
+      apply(*node.function, y, x, MPFR_RNDN);
+      return;
+    }
+    default: MIXCMP_CHECK(!"an operation of formulas");
+  }
+}
+
+/// A formula's value to about half of the digits.
+BigFloat formula_value(const Formula& formula, const BigFloat& x, mpfr_prec_t digits) {
+  std::vector<BigFloat> known;
+  for (const Node& node : formula.nodes) {
+    BigFloat result(digits);
+    compute(node, known, x, result.get());
+    known.push_back(std::move(result));
+  }
+  return known.back();
 }
 
 /// The value of a function that maps rational numbers to such.
@@ -103,6 +142,17 @@ std::vector<Function> tested_functions() {
   return all;
 }
 
+Function parsed_formula(const std::string& expression) {
+  const Graph graph = graph_of(expression, "0");
+  std::vector<Node> nodes(graph.nodes().begin(), graph.nodes().begin() + graph.f() + 1);
+  return Function::of_formula({.nodes = std::move(nodes)});
+}
+
+std::vector<Function> tested_formulas() {
+  return {parsed_formula("1 / (1 + exp(-x))"), parsed_formula("x * exp(-x^2 / 2) + cos(x)^2"),
+          parsed_formula("sqrt(2 + sin(x)) - 1 / (x^2 + 3)^(-0.25)")};
+}
+
 Range value_at(const Function& function, const mpq_class& x, int digits) {
   if (const AffineMap& inner = function.inner(); !inner.is_identity()) {
     return value_near(function, {x, x});
@@ -111,6 +161,13 @@ Range value_at(const Function& function, const mpq_class& x, int digits) {
   BigFloat argument(std::max<mpfr_prec_t>(2, digits_of(x.get_num()))), value(digits);
   MIXCMP_CHECK(mpfr_set_q(argument.get(), x.get_mpq_t(), MPFR_RNDN) == 0);
   Range range;
+  if (function.kind() == Function::formula) {
+    const BigFloat near = formula_value(function.expression(), argument, 2 * digits + 200);
+    mpfr_set(value.get(), near.get(), MPFR_RNDD);
+    range.low = rational(value);
+    mpfr_set(value.get(), near.get(), MPFR_RNDU);
+    return {range.low, rational(value)};
+  }
   apply(function, value.get(), argument, MPFR_RNDD);
   range.low = rational(value);
   apply(function, value.get(), argument, MPFR_RNDU);
@@ -126,8 +183,8 @@ Range value_near(const Function& function, const Range& x) {
                       {floor_of(mapped.low / unit) * unit, ceiling_of(mapped.high / unit) * unit});
   }
   if (x.low == x.high) return value_at(function, x.low);
-  MIXCMP_CHECK(x.high - x.low < power_of_two(-250));
-  const mpq_class most_change = power_of_two(-210);
+  MIXCMP_CHECK(x.high - x.low < power_of_two(-200));
+  const mpq_class most_change = (x.high - x.low) * power_of_two(40);
   Range near = value_at(function, x.low);
   near.low -= most_change;
   near.high += most_change;

@@ -46,7 +46,7 @@ TEST_P(FunctionsExample, NoVerdictIsWrong) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FunctionsExample,
-                         testing::Values("metropolis", "em", "trigger", "haversine"),
+                         testing::Values("metropolis", "em", "trigger", "haversine", "decay"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace

@@ -68,7 +68,7 @@ std::vector<Bound> bounds_of(const FixedPoint& format) {
   const NumberSystem system = format.is_block ? NumberSystem::block : NumberSystem::fixed;
   std::vector<Bound> bounds;
   for (const BoundKind kind : fixed_kinds) bounds.push_back({system, kind, format.guard_digits});
-  if (!format.is_block && format.guard_digits == 0) bounds.push_back(grid_bound);
+  if (format.is_plain()) bounds.push_back(grid_bound);
   return bounds;
 }
 

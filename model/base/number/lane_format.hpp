@@ -18,6 +18,8 @@ struct FixedPoint {
   /// Digits of operands below the W bits, for differences whose leading digits cancel; 0: none.
   int guard_digits = 0;
 
+  /// Whether each operand has a unit that is known before it arrives, and no digits are cut later.
+  bool is_plain() const { return !is_block && guard_digits == 0; }
   /// Bits of an operand's magnitude.
   int operand_bits() const { return bits + guard_digits; }
 

@@ -5,9 +5,16 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/comparison/expression/formula.hpp"
 #include "model/comparison/expression/text.hpp"
 
 namespace mixcmp::inline expression {
+namespace {
+
+/// The most characters of a formula in messages and comments.
+constexpr std::size_t most_text = 60;
+
+}  // namespace
 
 Function Function::power_of(const mpq_class& exponent) {
   Function function = power;
@@ -28,6 +35,12 @@ Function Function::through(const std::string& name, const Interpolation& interpo
   return function;
 }
 
+Function Function::of_formula(Formula formula) {
+  Function function = Function::formula;
+  function.formula_ = std::make_shared<const Formula>(std::move(formula));
+  return function;
+}
+
 Function Function::of(const AffineMap& map) const {
   Function function = *this;
   function.inner_ = map.then(inner_);
@@ -45,6 +58,7 @@ std::strong_ordering operator<=>(const Function& a, const Function& b) {
   if (a.inner_.factor != b.inner_.factor) return cmp(a.inner_.factor, b.inner_.factor) <=> 0;
   if (a.inner_.offset != b.inner_.offset) return cmp(a.inner_.offset, b.inner_.offset) <=> 0;
   if (a.parameter_) return cmp(*a.parameter_, *b.parameter_) <=> 0;
+  if (a.formula_ && a.formula_ != b.formula_) return *a.formula_ <=> *b.formula_;
   if (a.table_ == b.table_) return std::strong_ordering::equal;
   return a.table_->interpolation <=> b.table_->interpolation;
 }
@@ -68,6 +82,7 @@ std::string to_string(const Function& function) {
     case Function::sign: return "sign";
     case Function::remainder: return "mod";
     case Function::table: return "table";
+    case Function::formula: return "formula";
   }
   MIXCMP_CHECK(false);
 }
@@ -102,6 +117,11 @@ std::string applied_text(const Function& function, const std::string& argument) 
     return fmt::format("{}(\"{}\", {}{})", name, function.table_name(), inner,
                        degree == 1 ? "" : fmt::format(", {}", degree));
   }
+  if (function.kind() == Function::formula) {
+    const Formula& formula = function.expression();
+    const std::string atom = inner == argument ? inner : "(" + inner + ")";
+    return to_text(formula.nodes, {atom}, formula.value(), most_text);
+  }
   return fmt::format("{}({})", name, inner);
 }
 
@@ -123,6 +143,10 @@ Domain domain_without_map(const Function& function) {
   if (kind == Function::table) {
     const std::vector<mpq_class>& knots = function.interpolation().knots();
     return {.low = {{knots.front()}}, .high = {{knots.back()}}};
+  }
+  if (kind == Function::formula) {
+    const std::optional<Range>& arguments = function.expression().arguments;
+    return arguments ? Domain{.low = {{arguments->low}}, .high = {{arguments->high}}} : Domain{};
   }
   if (kind != Function::power) return {};
   const mpq_class& exponent = function.parameter();

@@ -13,6 +13,8 @@
 
 namespace mixcmp::inline expression {
 
+struct Formula;
+
 /// A function of one argument, with what it depends on otherwise. The argument may pass an affine
 /// map first, as in exp(1 - x / 2).
 class Function {
@@ -36,6 +38,7 @@ public:
     sign,       ///< -1 below 0, otherwise 1
     remainder,  ///< x - y floor(x / y), for y > 0
     table,      ///< an interpolation
+    formula,    ///< an expression of one variable
   };
 
   /// A function that depends on nothing else.
@@ -44,6 +47,7 @@ public:
   static Function remainder_by(const mpq_class& divisor);
   /// `name`: that of the table's file, for messages.
   static Function through(const std::string& name, const Interpolation& interpolation);
+  static Function of_formula(Formula formula);
 
   /// This function of the map's value.
   Function of(const AffineMap& map) const;
@@ -56,6 +60,8 @@ public:
   const mpq_class& parameter() const { return *parameter_; }
   const Interpolation& interpolation() const { return table_->interpolation; }
   const std::string& table_name() const { return table_->name; }
+  /// Valid for a `formula`.
+  const Formula& expression() const { return *formula_; }
 
   friend bool operator==(const Function& a, const Function& b) { return (a <=> b) == 0; }
   friend std::strong_ordering operator<=>(const Function& a, const Function& b);
@@ -70,6 +76,7 @@ private:
   AffineMap inner_;
   std::optional<mpq_class> parameter_;
   std::shared_ptr<const Table> table_;
+  std::shared_ptr<const Formula> formula_;
 };
 
 /// The functions that are known by their names and smooth where they have a value.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/comparison/expression/formula.hpp"
+
 namespace mixcmp::inline expression {
 namespace {
 
@@ -24,8 +26,18 @@ bool is_power(const TypedNode& /*node*/) {
   return false;
 }
 
+const Formula* formula_of(const Node& node) {
+  const bool is_formula = node.function && node.function->kind() == Function::formula;
+  return is_formula ? &node.function->expression() : nullptr;
+}
+
+const Formula* formula_of(const TypedNode& /*node*/) {
+  return nullptr;
+}
+
 template <class AnyNode>
 Binding binding_of(const AnyNode& node) {
+  if (const Formula* formula = formula_of(node)) return binding_of(formula->nodes.back());
   switch (node.operation) {
     case Operation::add:
     case Operation::subtract:
@@ -68,6 +80,14 @@ private:
   void expression(NodeId id, Binding least) {
     if (text_.size() > max_length_) return;
     const AnyNode& node = nodes_[static_cast<std::size_t>(id)];
+    if (node.operation == Operation::input && reader_ != nullptr) {
+      Printer argument(reader_->nodes_, inputs_, max_length_);
+      argument.reader_ = reader_->reader_;
+      argument.argument_ = reader_->argument_;
+      argument.expression(argument_, least);
+      text_ += argument.text_;
+      return;
+    }
     if (node.operation == Operation::convert) return expression(node.operands[0], least);
     const bool parenthesised = binding_of(node) < least;
     if (parenthesised) text_ += '(';
@@ -101,6 +121,13 @@ private:
   }
 
   void function(const Node& node) {
+    if (const Formula* formula = formula_of(node)) {
+      Printer whole(formula->nodes, inputs_, max_length_);
+      whole.reader_ = this;
+      whole.argument_ = node.operands[0];
+      text_ += whole.print(formula->value());
+      return;
+    }
     // The text before the argument, and the text behind it.
     const std::string whole = applied_text(*node.function, "#");
     const std::size_t argument = whole.rfind('#');
@@ -147,6 +174,9 @@ private:
   const std::vector<AnyNode>& nodes_;
   const std::vector<std::string>& inputs_;
   std::size_t max_length_;
+  /// While a formula is printed: the printer of the graph that applies it, and its argument there.
+  const Printer* reader_ = nullptr;
+  NodeId argument_ = -1;
   std::string text_;
 };
 

@@ -137,7 +137,7 @@ std::optional<Range> difference_on(const Function& function, const Polynomial& p
 std::optional<Range> moved_by(const Function& function, const Range& computed, const Range& error) {
   const Range real = difference(computed, error);
   const Range both = hull({computed.low, computed.high, real.low, real.high});
-  const std::vector<Interval> series = function::taylor(function, Interval(both), 2);
+  const std::vector<Interval> series = function::taylor_on(function, both, 2);
   if (!series.front().is_bounded()) return std::nullopt;
   if (error == Range{0, 0}) return error;
   std::optional<Range> moved;
@@ -204,7 +204,7 @@ public:
     if (!are_alike()) return std::nullopt;
     const FixedNode& result = nodes_[function_.result];
     const auto moved = this->moved();
-    const Interval values = function::value(*result.function, Interval(arguments()));
+    const Interval values = function::value_on(*result.function, arguments());
     if (!moved || !values.is_bounded()) return std::nullopt;
     const mpz_class first = piece_of(code_of(least_)), last = piece_of(code_of(greatest_));
     if (last - first >= most_pieces) return std::nullopt;

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "model/base/number/dyadic.hpp"
+#include "model/lane/fixed/formulas.hpp"
 #include "model/lane/fixed/graph_builder.hpp"
+#include "model/lane/fixed/logarithms.hpp"
 #include "model/lane/fixed/norm_part.hpp"
 #include "model/lane/fixed/running_bound.hpp"
 #include "model/lane/fixed/scale_degree.hpp"
@@ -254,14 +256,17 @@ bool is_checked(const FixedNode& node) {
   return is_limit(node) || is_reach(node);
 }
 
-Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
-                             const FixedOptions& options) {
+namespace {
+
+Result<FixedLane> lane_as_written(const Graph& graph, FloatFormat input_format,
+                                  const FixedOptions& options) {
   const bool any_fixed =
       std::any_of(options.operand_formats.begin(), options.operand_formats.end(),
                   [](const OperandFormat& format) { return format.fixed() != nullptr; });
   if (options.format.is_block && any_fixed) return no_block(options.format);
-  const bool is_plain = !options.format.is_block && options.format.guard_digits == 0;
-  if (options.bound == BoundKind::grid && !is_plain) return no_grid_in(options.format);
+  if (options.bound == BoundKind::grid && !options.format.is_plain()) {
+    return no_grid_in(options.format);
+  }
   MIXCMP_TRY(degrees, degrees_of(graph, options.format));
   FixedGraphBuilder builder(graph, input_format, options);
   MIXCMP_DO(builder.cut_in_common());
@@ -293,6 +298,61 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   if (options.bound == BoundKind::norm && !has_norm(lane)) return no_norm();
   if (options.bound == BoundKind::running && !has_running(lane)) return no_running();
   return lane;
+}
+
+/// The declared range of each input, or that of its fixed-point format.
+std::vector<std::optional<Range>> known_ranges(const FixedOptions& options) {
+  std::vector<std::optional<Range>> ranges = options.ranges;
+  ranges.resize(std::max(ranges.size(), options.operand_formats.size()));
+  for (std::size_t k = 0; k < options.operand_formats.size(); ++k) {
+    const FixedFormat* fixed = options.operand_formats[k].fixed();
+    if (ranges[k] || fixed == nullptr) continue;
+    ranges[k] = Range{fixed->smallest() * fixed->unit(), fixed->largest() * fixed->unit()};
+  }
+  return ranges;
+}
+
+Result<FixedLane> lane_with_formulas(const Graph& graph, FloatFormat input_format,
+                                     const FixedOptions& options) {
+  const auto lane_of = [&](const Graph& of) { return lane_as_written(of, input_format, options); };
+  const std::vector<std::optional<Range>> ranges = known_ranges(options);
+  auto formulas = with_formulas(graph, ranges);
+  if (!formulas) return lane_of(graph);
+  Result<FixedLane> lane = lane_of(*formulas);
+  if (lane.ok()) return lane;
+  // Some formula has no table that is small enough.
+  formulas = with_formulas(graph, ranges, [&](const Graph& alone) { return lane_of(alone).ok(); });
+  Result<FixedLane> fewer = lane_of(formulas ? *formulas : graph);
+  if (!fewer.ok() && formulas) fewer = lane_of(graph);
+  return fewer.ok() ? std::move(fewer) : std::move(lane);
+}
+
+/// Whether some part's difference errs less than half as much as in another lane, and none errs
+/// more.
+bool errs_less(const FixedLane& lane, const FixedLane& other) {
+  const auto error = [](const FixedLane& of, std::size_t part) {
+    return absolute(of.nodes[of.parts[part].difference].error).high;
+  };
+  bool any = false;
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    const mpq_class own = error(lane, part), others = error(other, part);
+    if (own > others) return false;
+    any = any || 2 * own < others;
+  }
+  return any;
+}
+
+}  // namespace
+
+Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
+                             const FixedOptions& options) {
+  if (!options.format.is_plain()) return lane_as_written(graph, input_format, options);
+  Result<FixedLane> lane = lane_with_formulas(graph, input_format, options);
+  const auto logarithms = with_logarithms(graph, known_ranges(options));
+  if (!logarithms) return lane;
+  Result<FixedLane> other = lane_with_formulas(*logarithms, input_format, options);
+  const bool is_better = other.ok() && (!lane.ok() || errs_less(*other, *lane));
+  return is_better ? other : lane;
 }
 
 OperandFormat operand_format(const FixedLane& lane, int input) {

@@ -29,7 +29,7 @@ Range stood_for(const Range& computed, const Range& error) {
 std::optional<Range> moved_by(const Function& function, const Range& computed, const Range& error) {
   const Range real = stood_for(computed, error);
   const Range both = {std::min(computed.low, real.low), std::max(computed.high, real.high)};
-  const std::vector<Interval> series = function::taylor(function, Interval(both), 2);
+  const std::vector<Interval> series = function::taylor_on(function, both, 2);
   if (!series.front().is_bounded()) return std::nullopt;
   if (error == Range{0, 0}) return error;
   std::optional<Range> moved;

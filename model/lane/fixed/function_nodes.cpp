@@ -342,8 +342,7 @@ NodeId FixedGraphBuilder::polynomial(const Function& function, const function::P
 FixedGraphBuilder::Applied FixedGraphBuilder::applied_at(NodeId id) const {
   const Node& node = graph_.nodes()[id];
   Applied applied{*node.function, node.operands[0]};
-  const bool is_cut = options_.format.is_block || options_.format.guard_digits > 0;
-  if (is_cut || !is_smooth(applied.function)) return applied;
+  if (!options_.format.is_plain() || !is_smooth(applied.function)) return applied;
   while (!graph_.limits().contains(applied.node)) {
     const auto step = affine_step(graph_, graph_.nodes()[applied.node]);
     if (!step) break;
@@ -430,7 +429,7 @@ Result<FixedNode> FixedGraphBuilder::applied(NodeId id, const Function& function
   const FixedNode computed = nodes_[argument];
   const mpq_class unit = computed.format.unit();
   const Range moved = *moved_by(function, computed.value, computed.error);
-  const Range values = function::value(function, Interval(computed.value)).range();
+  const Range values = function::value_on(function, computed.value).range();
   const int unit_exponent =
       unit_exponent_for(values, absolute(moved).high, options_.format.bits + further);
   const auto piecewise = function::approximate(

@@ -261,7 +261,7 @@ std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& 
 Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   const auto [dividend, divisor] = graph_.nodes()[id].operands;
   if (!divides_by_constant(graph_, id)) {
-    if (options_.format.is_block || options_.format.guard_digits > 0) {
+    if (!options_.format.is_plain()) {
       return refused(id, "lanes with guard digits or blocks divide only by constants",
                      "a lane such as q13, a floating-point format");
     }
@@ -393,7 +393,7 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
   const NodeId radicand = operand(id, 0);
   if (!is_nonnegative(nodes_, radicand)) {
     return refused(id, "the radicand of a root may be negative",
-                   "a floating-point format, or a radicand such as a sum of squares");
+                   "within(x, low, high), max(x, 0), or a radicand such as a sum of squares");
   }
   FixedNode root{.operation = Operation::square_root, .operands = {radicand, -1}, .constant = {}};
   const Range& squares = nodes_[radicand].value;

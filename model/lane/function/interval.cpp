@@ -25,6 +25,12 @@ Interval::Interval(const Range& range) : Interval() {
   mpfi_interv_q(value_, range.low.get_mpq_t(), range.high.get_mpq_t());
 }
 
+Interval Interval::unbounded() {
+  Interval all;
+  mpfi_set_str(all.get(), "[-inf, inf]", 10);
+  return all;
+}
+
 Interval& Interval::operator=(const Interval& other) {
   mpfi_set(value_, other.value_);
   return *this;
@@ -93,6 +99,17 @@ Interval operator/(const Interval& a, const Interval& b) {
   Interval quotient;
   mpfi_div(quotient.value_, a.value_, b.value_);
   return quotient;
+}
+
+Interval product_coefficient(const std::vector<Interval>& a, const std::vector<Interval>& b,
+                             std::size_t k, std::size_t skipped) {
+  Interval sum = 0, term;
+  for (std::size_t i = skipped; i <= k; ++i) {
+    if (mpfi_is_zero(a[i].get()) > 0 || mpfi_is_zero(b[k - i].get()) > 0) continue;
+    mpfi_mul(term.get(), a[i].get(), b[k - i].get());
+    mpfi_add(sum.get(), sum.get(), term.get());
+  }
+  return sum;
 }
 
 }  // namespace mixcmp::function

@@ -3,6 +3,8 @@
 #include <gmpxx.h>
 #include <mpfi.h>
 
+#include <vector>
+
 #include "model/comparison/expression/range.hpp"
 
 namespace mixcmp::function {
@@ -19,6 +21,8 @@ public:
   Interval(int value) : Interval() { mpfi_set_si(value_, value); }
   Interval(const mpq_class& value) : Interval() { mpfi_set_q(value_, value.get_mpq_t()); }
   explicit Interval(const Range& range);
+  /// All numbers.
+  static Interval unbounded();
   Interval(const Interval& other) : Interval() { mpfi_set(value_, other.value_); }
   Interval& operator=(const Interval& other);
   ~Interval() { mpfi_clear(value_); }
@@ -44,6 +48,11 @@ public:
 private:
   mpfi_t value_;
 };
+
+/// The coefficient of t^k of a product of two series in t, without the terms of the first `skipped`
+/// coefficients of a.
+Interval product_coefficient(const std::vector<Interval>& a, const std::vector<Interval>& b,
+                             std::size_t k, std::size_t skipped = 0);
 
 /// Interval::is_bounded and Interval::range for intervals of other precisions.
 bool is_bounded(mpfi_srcptr interval);

@@ -54,6 +54,16 @@ struct Pieces {
     if (starts.empty()) return code.width - piece_bits;
     return static_cast<int>(std::bit_width(starts.size() - 1));
   }
+  /// The piece of an argument.
+  mpz_class of(const mpz_class& number) const {
+    return starts.empty() ? upper(code_of(number)) : piece_of(number);
+  }
+  /// The least argument in a piece that holds arguments.
+  mpz_class first_argument(const mpz_class& piece) const {
+    const mpz_class from = std::max(first_code(piece), least);
+    if (!is_floating) return from;
+    return ceiling_of(scaled(encoding->number(from), -argument.format.unit_exponent));
+  }
   /// The piece of an argument among those with starts.
   mpz_class piece_of(const mpz_class& number) const {
     const auto above = std::upper_bound(starts.begin() + 1, starts.end(), number);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "model/base/common/check.hpp"
 #include "model/base/common/memo.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/lane/function/piece_polynomial.hpp"
 #include "model/lane/function/pieces.hpp"
 #include "model/lane/function/taylor.hpp"
 
@@ -16,6 +18,9 @@ namespace mixcmp::function {
 namespace {
 
 constexpr int most_degree = 8;
+
+/// By this factor a degree's area is so much larger that higher degrees are not tried.
+constexpr double much_larger = 1.5;
 
 /// The unit of s[0] is at most so many bits finer than that of the result: every coefficient and
 /// every cut adds an error of about a unit of s[0], all together at most half a unit of the result.
@@ -49,164 +54,10 @@ double rough_table_luts(double words, const mpz_class& least, const mpz_class& g
   return luts;
 }
 
-/// Bounds are taken on so many parts of a piece, so that the Taylor coefficients of the difference
-/// of function and polynomial are small.
-constexpr int parts = 4;
-
-/// Taylor coefficients beyond those of the polynomial that a bound looks at; the next one bounds
-/// what is left.
-constexpr int further_terms = 4;
-
 mpq_class power(const mpq_class& base, int exponent) {
   mpq_class result = 1;
   for (int k = 0; k < exponent; ++k) result *= base;
   return result;
-}
-
-/// The line on which a piece's arguments lie: x = start + slope t.
-struct Line {
-  mpq_class start, slope;
-
-  mpq_class at(const mpq_class& t) const { return start + slope * t; }
-};
-
-/// The polynomial in t that has the function's values at Chebyshev's points of the places, by
-/// Newton's divided differences. Its coefficients are near those numbers; no proof relies on them.
-std::vector<mpf_class> interpolated(const Function& function, const Line& line, const Range& places,
-                                    int degree) {
-  const auto count = static_cast<std::size_t>(degree) + 1;
-  const mpf_class zero(0, Interval::digits);
-  std::vector<mpf_class> points, differences;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double part = 0.5 - 0.5 * std::cos(double(2 * k + 1) * M_PI / double(2 * count));
-    const mpq_class point = places.low + (places.high - places.low) * mpq_class(part);
-    points.push_back(zero + point);
-    differences.push_back(value(function, Interval(line.at(point))).middle());
-  }
-  std::vector<mpf_class> coefficients(count, zero);
-  if (places.low == places.high) {
-    coefficients[0] = differences[0];
-    return coefficients;
-  }
-  for (std::size_t order = 1; order < count; ++order) {
-    for (std::size_t k = count - 1; k >= order; --k) {
-      differences[k] = (differences[k] - differences[k - 1]) / (points[k] - points[k - order]);
-    }
-  }
-  for (std::size_t k = count; k-- > 0;) {  // times (t - point), plus the next difference
-    for (std::size_t i = count - 1; i > 0; --i) {
-      coefficients[i] = coefficients[i - 1] - coefficients[i] * points[k];
-    }
-    coefficients[0] = differences[k] - coefficients[0] * points[k];
-  }
-  return coefficients;
-}
-
-using Polynomial = std::vector<Interval>;
-
-/// The polynomial's coefficients around t = at.
-Polynomial moved(Polynomial coefficients, const Interval& at) {
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    for (std::size_t i = coefficients.size() - 1; i-- > k;) {
-      coefficients[i] = coefficients[i] + coefficients[i + 1] * at;
-    }
-  }
-  return coefficients;
-}
-
-/// A part of a piece's places where the function has all derivatives. On a table of points it is a
-/// polynomial there, in x - knot.
-struct SmoothPart {
-  Range places;
-  std::optional<Polynomial> polynomial = {};
-  mpq_class knot = 0;
-
-  /// The function's Taylor coefficients in t around x; the last one is enclosed for all numbers
-  /// within `reach` of x.
-  Polynomial series(const Function& function, const mpq_class& x, const mpq_class& reach, int count,
-                    const mpq_class& slope) const {
-    if (polynomial) {
-      Polynomial around = moved(*polynomial, Interval(x - knot));
-      around.resize(static_cast<std::size_t>(count), 0);
-      scale(around, slope);
-      return around;
-    }
-    Polynomial around = taylor(function, Interval(x), count - 1, slope);
-    const Interval all(Range{x - reach, x + reach});
-    around.push_back(taylor(function, all, count, slope).back());
-    return around;
-  }
-};
-
-/// The parts of a piece between the points of a table, and beyond them, where it is constant.
-std::vector<SmoothPart> smooth_parts(const Function& function, const Line& line,
-                                     const Range& places) {
-  if (function.kind() != Function::table) return {{places}};
-  const Interpolation& table = function.interpolation();
-  const std::vector<mpq_class>& knots = table.knots();
-  std::vector<SmoothPart> all;
-  const auto add = [&](const mpq_class& from, const mpq_class& to) {
-    const mpq_class inside = line.at((from + to) / 2);
-    if (inside < knots.front() || inside > knots.back()) {
-      all.push_back({{from, to}, Polynomial{table.at(inside)}});
-      return;
-    }
-    const std::size_t segment = table.segment_of(inside);
-    const std::vector<mpq_class>& exact = table.polynomial(segment);
-    all.push_back({{from, to}, Polynomial(exact.begin(), exact.end()), knots[segment]});
-  };
-  mpq_class from = places.low;
-  const auto first = std::upper_bound(knots.begin(), knots.end(), line.at(from));
-  for (auto knot = first; knot != knots.end(); ++knot) {
-    const mpq_class place = (*knot - line.start) / line.slope;
-    if (place >= places.high) break;
-    add(from, place);
-    from = place;
-  }
-  add(from, places.high);
-  return all;
-}
-
-/// Encloses polynomial less function for all real t within `radius` of `centre`; none where the
-/// function has no value.
-std::optional<Range> difference_around(const Function& function, const SmoothPart& smooth,
-                                       const Polynomial& polynomial, const Line& line,
-                                       const mpq_class& centre, const mpq_class& radius) {
-  if (radius == 0) {
-    const Interval number = moved(polynomial, Interval(centre)).front();
-    return (number - value(function, Interval(line.at(centre)))).range();
-  }
-  const auto terms = polynomial.size() + further_terms;
-  const Polynomial here = smooth.series(function, line.at(centre), line.slope * radius,
-                                        static_cast<int>(terms) + 1, line.slope);
-  if (!here.back().is_bounded()) return std::nullopt;
-  const Polynomial around = moved(polynomial, Interval(centre));
-  const Interval reach(radius);
-  Interval most = here.back().magnitude();
-  for (std::size_t k = terms; k-- > 1;) {
-    const Interval difference = k < around.size() ? around[k] - here[k] : here[k];
-    most = difference.magnitude() + reach * most;
-  }
-  most = reach * most;
-  const Interval middle = around.front() - here.front();
-  return Range{(middle - most).range().low, (middle + most).range().high};
-}
-
-/// Encloses that difference for all real t of the places.
-std::optional<Range> difference_on_piece(const Function& function, const Polynomial& polynomial,
-                                         const Line& line, const Range& places) {
-  std::optional<Range> all;
-  for (const SmoothPart& smooth : smooth_parts(function, line, places)) {
-    const mpq_class span = smooth.places.high - smooth.places.low, radius = span / (2 * parts);
-    for (int part = 0; part < parts; ++part) {
-      const mpq_class centre = smooth.places.low + span * mpq_class(2 * part + 1, 2 * parts);
-      const auto found = difference_around(function, smooth, polynomial, line, centre, radius);
-      if (!found) return std::nullopt;
-      all = all ? Range{std::min(all->low, found->low), std::max(all->high, found->high)} : *found;
-      if (radius == 0) break;
-    }
-  }
-  return all;
 }
 
 /// A table with words that nobody reads: each is that of an address that differs in one bit, the
@@ -251,17 +102,27 @@ public:
   bool has_starts() const { return !pieces_.starts.empty(); }
   int address_bits() const { return pieces_.address_bits(); }
 
+  /// Whether the piece of this argument errs by a unit or more. Works on a copy, because `add` also
+  /// counts the piece in `area`.
+  bool fails_at(const mpz_class& argument) const {
+    Candidate copy = *this;
+    return !copy.add(pieces_.of(argument));
+  }
+
   /// Tries the pieces at both ends and in the middle. False: the error is not less than a unit.
   bool may_do() {
     const mpz_class middle = floor_of(mpq_class(pieces_.first + pieces_.last) / 2);
     return add(pieces_.last) && add(pieces_.first) && add(middle);
   }
 
-  /// The table's words with all pieces; none if the error is not less than a unit.
-  std::optional<Piecewise> certified() {
+  /// Tables of all pieces. If a piece errs by a unit or more: none, and `failing_argument` becomes
+  /// its first argument.
+  std::optional<Piecewise> certified(std::optional<mpz_class>& failing_argument) {
     forget();
     for (mpz_class piece = pieces_.first; piece <= pieces_.last; ++piece) {
-      if (!add(piece)) return std::nullopt;
+      if (add(piece)) continue;
+      failing_argument = pieces_.first_argument(piece);
+      return std::nullopt;
     }
     return made();
   }
@@ -269,13 +130,12 @@ public:
   /// Look-up tables of six inputs, roughly: of tables, products and sums. Of the pieces that were
   /// tried.
   double area(ProductKind products) const {
-    const double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
     const int bits = pieces_.argument.format.width;
     double luts = is_floating() ? 0.5 * bits * std::bit_width(static_cast<unsigned>(bits)) : 0;
     luts += static_cast<double>(pieces_.starts.size()) * bits;
     for (std::size_t k = 0; k < units_.size(); ++k) {
       const int width = FixedFormat::holding(least_[k], greatest_[k], 0).width;
-      luts += rough_table_luts(words, least_[k], greatest_[k]);
+      luts += table_area(k);
       if (k > 0) luts += product_luts(products, width + 1, pieces_.piece_bits + 1);
       if (k + 1 < units_.size()) luts += width;
     }
@@ -288,6 +148,20 @@ private:
     words_.clear();
     least_.clear();
     greatest_.clear();
+  }
+
+  /// Look-up tables of the table of t^k. The logarithm of base 2 is a whole number more in the next
+  /// binade, so that its tables are those of one binade, with the exponent in front.
+  double table_area(std::size_t k) const {
+    double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
+    mpz_class greatest = greatest_[k];
+    const bool is_in_binades = function_.kind() == Function::log2 && pieces_.encoding;
+    if (is_in_binades && function_.inner().offset == 0) {
+      words = std::ldexp(1.0, pieces_.encoding->fraction_bits - pieces_.piece_bits);
+      const mpz_class one = scaled(mpq_class(1), -units_[k]).get_num();
+      if (k == 0) greatest = std::min<mpz_class>(greatest, least_[k] + one);
+    }
+    return rough_table_luts(words, least_[k], greatest);
   }
 
   bool add(const mpz_class& piece) {
@@ -348,7 +222,7 @@ private:
       made.coefficients.push_back({FixedFormat::holding(least_[k], greatest_[k], units_[k]),
                                    Words(completed(std::move(table)))});
     }
-    const Range values = value(function_, Interval(arguments_)).range();
+    const Range values = value_on(function_, arguments_).range();
     made.result =
         FixedFormat::holding(floor_of(scaled(values.low + error_->low, -unit_)),
                              ceiling_of(scaled(values.high + error_->high, -unit_)), unit_);
@@ -420,7 +294,8 @@ struct Shape {
 };
 
 /// The candidate of a shape with the fewest pieces, `address_bits` or more, that may do.
-std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int address_bits) {
+std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int address_bits,
+                                   const std::optional<mpz_class>& failing_argument) {
   const Argument& argument = wanted.argument;
   const Pieces whole(argument, shape.is_floating, 0, wanted.least, wanted.greatest);
   const int most = std::min(whole.code.width, most_address_bits);
@@ -434,7 +309,7 @@ std::optional<Candidate> candidate(const Wanted& wanted, const Shape& shape, int
     Candidate made(wanted.function, wanted.arguments(),
                    Pieces(argument, shape.is_floating, piece_bits, wanted.least, wanted.greatest),
                    shape.degree, shape.guard_bits, wanted.unit_exponent, shape.coarse_bits);
-    if (made.may_do()) return made;
+    if (made.may_do() && !(failing_argument && made.fails_at(*failing_argument))) return made;
   }
   return std::nullopt;
 }
@@ -456,40 +331,98 @@ std::vector<Shape> shapes_of(const Wanted& wanted, int degree) {
   return shapes;
 }
 
-std::optional<Piecewise> search(const Wanted& wanted) {
-  // A pole between two arguments may lie in no piece.
-  if (!value(wanted.function, Interval(wanted.arguments())).is_bounded()) return std::nullopt;
-  std::vector<Candidate> open;
-  const auto try_from = [&](const Shape& shape, int address_bits) {
-    auto found = candidate(wanted, shape, address_bits);
-    if (found) open.push_back(std::move(*found));
-  };
-  // A polynomial of a higher degree than a table's follows its corners no better.
-  const bool is_table = wanted.function.kind() == Function::table;
-  const int highest = is_table ? wanted.function.interpolation().degree() : most_degree;
-  for (int degree = 0; degree <= highest; ++degree) {
-    for (const Shape& shape : shapes_of(wanted, degree)) try_from(shape, 0);
+/// Looks for the smallest tables: of all candidates, the one of the least estimated area is made
+/// whole. If it errs too much, the same shape with more pieces takes its place.
+class Search {
+public:
+  explicit Search(const Wanted& wanted)
+      : wanted_(wanted),
+        // A polynomial of a higher degree than a table's follows its corners no better.
+        highest_degree_(is_table() ? wanted.function.interpolation().degree() : most_degree) {}
+
+  std::optional<Piecewise> run();
+
+private:
+  bool is_table() const { return wanted_.function.kind() == Function::table; }
+  double least_area(std::size_t first = 0) const;
+  bool needs_a_further_degree() const;
+  void add(const Shape& shape, int address_bits);
+  void add_degree();
+  void add_between_points();
+  std::optional<Piecewise> try_smallest();
+
+  const Wanted& wanted_;
+  int highest_degree_;
+  std::vector<Candidate> open_;
+  std::vector<double> first_areas_;            ///< [degree]: the least of its first candidates
+  std::optional<mpz_class> failing_argument_;  ///< at which some candidate has failed
+};
+
+double Search::least_area(std::size_t first) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = first; k < open_.size(); ++k) {
+    least = std::min(least, open_[k].area(wanted_.products));
   }
-  if (is_table) {
-    if (auto pieces = wanted.between_points()) {
-      open.emplace_back(wanted.function, wanted.arguments(), std::move(*pieces), highest,
-                        most_guard_bits(highest), wanted.unit_exponent);
-      if (!open.back().may_do()) open.pop_back();
-    }
+  return least;
+}
+
+/// Two degrees in a row that are much larger than the smallest candidate end the search for now:
+/// the next ones are taken to be larger yet.
+bool Search::needs_a_further_degree() const {
+  const std::size_t degrees = first_areas_.size();
+  if (static_cast<int>(degrees) > highest_degree_) return false;
+  if (degrees < 2) return true;
+  const double least = std::min(first_areas_[degrees - 1], first_areas_[degrees - 2]);
+  return least <= much_larger * least_area();
+}
+
+void Search::add(const Shape& shape, int address_bits) {
+  auto found = candidate(wanted_, shape, address_bits, failing_argument_);
+  if (found) open_.push_back(std::move(*found));
+}
+
+void Search::add_degree() {
+  const std::size_t before = open_.size();
+  const auto degree = static_cast<int>(first_areas_.size());
+  for (const Shape& shape : shapes_of(wanted_, degree)) add(shape, 0);
+  first_areas_.push_back(least_area(before));
+}
+
+void Search::add_between_points() {
+  auto pieces = wanted_.between_points();
+  if (!pieces) return;
+  Candidate made(wanted_.function, wanted_.arguments(), std::move(*pieces), highest_degree_,
+                 most_guard_bits(highest_degree_), wanted_.unit_exponent);
+  if (made.may_do()) open_.push_back(std::move(made));
+}
+
+/// The tables of the smallest candidate. If it errs too much: none, and one with more pieces.
+std::optional<Piecewise> Search::try_smallest() {
+  const auto smallest =
+      std::min_element(open_.begin(), open_.end(), [&](const Candidate& a, const Candidate& b) {
+        return a.area(wanted_.products) < b.area(wanted_.products);
+      });
+  if (!(failing_argument_ && smallest->fails_at(*failing_argument_))) {
+    if (auto made = smallest->certified(failing_argument_)) return made;
   }
-  while (!open.empty()) {
-    const auto best =
-        std::min_element(open.begin(), open.end(), [&](const Candidate& a, const Candidate& b) {
-          return a.area(wanted.products) < b.area(wanted.products);
-        });
-    if (auto made = best->certified()) return made;
-    const Shape shape{best->is_floating(), best->degree(), best->guard_bits(), best->coarse_bits()};
-    const bool has_starts = best->has_starts();
-    const int address_bits = best->address_bits() + 1;
-    open.erase(best);
-    if (!has_starts) try_from(shape, address_bits);
-  }
+  const Shape shape{smallest->is_floating(), smallest->degree(), smallest->guard_bits(),
+                    smallest->coarse_bits()};
+  const bool has_starts = smallest->has_starts();
+  const int address_bits = smallest->address_bits() + 1;
+  open_.erase(smallest);
+  if (!has_starts) add(shape, address_bits);
   return std::nullopt;
+}
+
+std::optional<Piecewise> Search::run() {
+  // A pole between two arguments may lie in no piece.
+  if (!value_on(wanted_.function, wanted_.arguments()).is_bounded()) return std::nullopt;
+  if (is_table()) add_between_points();
+  for (;;) {
+    while (needs_a_further_degree()) add_degree();
+    if (open_.empty()) return std::nullopt;
+    if (auto made = try_smallest()) return made;
+  }
 }
 
 }  // namespace
@@ -557,7 +490,7 @@ std::optional<Piecewise> approximate(const Function& function, const Argument& a
                                      int unit_exponent, ProductKind products) {
   const Wanted wanted{function, argument, least, greatest, unit_exponent, products};
   static Memo<Wanted, std::optional<Piecewise>> known;
-  return *known.of(wanted, [&] { return search(wanted); });
+  return *known.of(wanted, [&] { return Search(wanted).run(); });
 }
 
 }  // namespace mixcmp::function

@@ -2,21 +2,19 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/common/memo.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/lane/function/formula_series.hpp"
 
 namespace mixcmp::function {
 namespace {
 
 using Series = std::vector<Interval>;
-
-/// The k-th coefficient of a product.
-Interval coefficient(const Series& a, const Series& b, std::size_t k) {
-  Interval sum = 0;
-  for (std::size_t i = 0; i <= k; ++i) sum = sum + a[i] * b[k - i];
-  return sum;
-}
 
 /// The series of y, where y' = rate y.
 Series exponential(const Interval& first, const Interval& rate, int count) {
@@ -52,7 +50,7 @@ Series oscillation(const Interval& first, const Interval& slope, int sign, int c
 Series tangent(const Interval& first, int sign, int count) {
   Series y = {first};
   for (int k = 1; k < count; ++k) {
-    const Interval square = coefficient(y, y, static_cast<std::size_t>(k) - 1);
+    const Interval square = product_coefficient(y, y, static_cast<std::size_t>(k) - 1);
     y.push_back((Interval(k == 1 ? 1 : 0) + Interval(sign) * square) / Interval(k));
   }
   return y;
@@ -161,7 +159,7 @@ Series line(const Interval& first, bool jumps, int slope, int count) {
   Series y(static_cast<std::size_t>(count), Interval(0));
   y.front() = first;
   if (count > 1) y[1] = slope;
-  for (std::size_t k = 1; jumps && k < y.size(); ++k) mpfi_set_str(y[k].get(), "[-inf, inf]", 10);
+  for (std::size_t k = 1; jumps && k < y.size(); ++k) y[k] = Interval::unbounded();
   return y;
 }
 
@@ -261,6 +259,7 @@ std::vector<Interval> taylor(const Function& function, const Interval& argument,
     case Function::remainder:
       return line(first, !one_quotient(x.get(), function.parameter()), 1, count);
     case Function::table: return polynomials(function.interpolation(), x, count);
+    case Function::formula: return taylor(function.expression(), x, count);
   }
   MIXCMP_CHECK(false);
 }
@@ -270,6 +269,35 @@ std::vector<Interval> taylor(const Function& function, const Interval& x, int co
   std::vector<Interval> series = taylor(function, x, count);
   scale(series, slope);
   return series;
+}
+
+namespace {
+
+Series hull_of_parts(const Function& function, const Range& x, int count) {
+  constexpr int shares = 128;
+  const mpq_class step = (x.high - x.low) / shares;
+  Series all;
+  for (int part = 0; part < shares; ++part) {
+    const Interval where(Range{x.low + step * part, x.low + step * (part + 1)});
+    Series series = taylor(function, where, count);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      mpfi_union(series[k].get(), series[k].get(), all[k].get());
+    }
+    all = std::move(series);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Interval> taylor_on(const Function& function, const Range& x, int count) {
+  if (function.kind() != Function::formula || x.low == x.high) {
+    return taylor(function, Interval(x), count);
+  }
+  using Key = std::tuple<Function, std::string, std::string, int>;
+  static Memo<Key, Series> known;
+  const Key key{function, x.low.get_str(62), x.high.get_str(62), count};
+  return *known.of(key, [&] { return hull_of_parts(function, x, count); });
 }
 
 void scale(std::vector<Interval>& series, const mpq_class& slope) {
@@ -310,6 +338,12 @@ void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x) {
       mpfi_interv_q(y, values.low.get_mpq_t(), values.high.get_mpq_t());
       return;
     }
+    case Function::formula: {
+      Interval argument;
+      mpfi_set(argument.get(), x);
+      mpfi_set(y, value(function.expression(), argument).get());
+      return;
+    }
   }
   MIXCMP_CHECK(false);
 }
@@ -318,6 +352,10 @@ Interval value(const Function& function, const Interval& x) {
   Interval y;
   enclose(function, y.get(), x.get());
   return y;
+}
+
+Interval value_on(const Function& function, const Range& x) {
+  return taylor_on(function, x, 1).front();
 }
 
 }  // namespace mixcmp::function

@@ -212,6 +212,9 @@ INSTANTIATE_TEST_SUITE_P(Functions, EveryArgument, testing::ValuesIn(tested_func
                            return fmt::format("{}{}", to_string(parameter.param), parameter.index);
                          });
 
+INSTANTIATE_TEST_SUITE_P(Formulas, EveryArgument, testing::ValuesIn(tested_formulas()),
+                         [](const auto& parameter) { return fmt::format("{}", parameter.index); });
+
 /// The piecewise polynomial of arguments in units of 2^-6.
 std::optional<Piecewise> of_sixty_fourths(const Function& function, const mpz_class& least,
                                           const mpz_class& greatest, int unit_exponent = -8) {

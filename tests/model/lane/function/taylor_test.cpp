@@ -37,6 +37,12 @@ std::vector<mpq_class> divided_differences(const Function& function, const mpq_c
   return differences;
 }
 
+std::vector<Function> functions_and_formulas() {
+  std::vector<Function> all = tested_functions();
+  for (const Function& formula : tested_formulas()) all.push_back(formula);
+  return all;
+}
+
 /// Dyadic numbers at which every function has a value.
 const std::array<mpq_class, 9> points = {mpq_class(1, 1024), mpq_class(1, 8), mpq_class(3, 4),
                                          mpq_class(1),       mpq_class(5, 4), mpq_class(25, 16),
@@ -58,7 +64,7 @@ mpq_class magnitude_of(const mpq_class& value) {
 }
 
 TEST(Taylor, OfPointsIsThatOfDividedDifferences) {
-  for (const Function& function : tested_functions()) {
+  for (const Function& function : functions_and_formulas()) {
     for (const mpq_class& x : points_of(function)) {
       const std::vector<Interval> series = taylor(function, Interval(x), count);
       const std::vector<mpq_class> expected = divided_differences(function, x);
@@ -74,7 +80,7 @@ TEST(Taylor, OfPointsIsThatOfDividedDifferences) {
 }
 
 TEST(Taylor, OfPointsStartsWithTheValue) {
-  for (const Function& function : tested_functions()) {
+  for (const Function& function : functions_and_formulas()) {
     for (const mpq_class& x : points_of(function)) {
       const Range found = taylor(function, Interval(x), 1).front().range();
       const Range value = value_at(function, x);
@@ -86,7 +92,7 @@ TEST(Taylor, OfPointsStartsWithTheValue) {
 
 /// Widths of a 16th and 1; sine and cosine have their extremes inside some.
 TEST(Taylor, OfIntervalsEnclosesThatOfEachPoint) {
-  for (const Function& function : tested_functions()) {
+  for (const Function& function : functions_and_formulas()) {
     for (const mpq_class& low : points_of(function)) {
       for (const mpq_class& width : {mpq_class(1, 16), mpq_class(1)}) {
         const Range range = {low, low + width};
@@ -109,7 +115,7 @@ TEST(Taylor, OfIntervalsEnclosesThatOfEachPoint) {
 }
 
 TEST(Taylor, OfIntervalsInsideTheDomainIsBounded) {
-  for (const Function& function : tested_functions()) {
+  for (const Function& function : functions_and_formulas()) {
     for (const Range& range : {Range{mpq_class(1, 1024), 1},
                                {mpq_class(-7, 8), mpq_class(-1, 8)},
                                {-1, 1},
@@ -120,6 +126,23 @@ TEST(Taylor, OfIntervalsInsideTheDomainIsBounded) {
       for (const Interval& coefficient : taylor(function, Interval(range), count)) {
         EXPECT_TRUE(coefficient.is_bounded()) << to_string(function) << range.low << range.high;
       }
+    }
+  }
+}
+
+/// The hull of parts is narrower than what one interval gives, and holds all coefficients.
+TEST(Taylor, OfAFormulaIsTakenInParts) {
+  const Function formula = parsed_formula("x * exp(-x^2 / 2)");
+  const Range whole = {-4, 4};
+  const std::vector<Interval> at_once = taylor(formula, Interval(whole), 2);
+  const std::vector<Interval> in_parts = function::taylor_on(formula, whole, 2);
+  EXPECT_LT(in_parts[1].range().high - in_parts[1].range().low, mpq_class(8, 5));  // -0.45 to 1
+  EXPECT_GT(at_once[1].range().high - at_once[1].range().low, 10);
+  for (mpq_class x = -4; x < 4; x += mpq_class(1, 37)) {
+    const std::vector<Interval> here = taylor(formula, Interval(x), 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_LE(in_parts[k].range().low, here[k].range().low);
+      EXPECT_GE(in_parts[k].range().high, here[k].range().high);
     }
   }
 }
@@ -175,6 +198,18 @@ TEST(Taylor, OfLargeArgumentsHasShortEnds) {
   EXPECT_EQ(edge.range(), (Range{least, least}));
   EXPECT_FALSE(Interval(power_of_two(Interval::most_exponent)).is_bounded());
   EXPECT_TRUE(Interval(power_of_two(Interval::most_exponent - 1)).is_bounded());
+}
+
+/// atan(1 / x) and 1 / (1 / x) have bounded values around 0, but not all of their operations do.
+TEST(Taylor, OfFormulasIsUnboundedWhereAnOperationIs) {
+  for (const char* text : {"atan(1 / a)", "1 / (1 / a)", "exp(-1 / a^2)"}) {
+    const Function function = parsed_formula(text);
+    for (const Interval& each : taylor(function, Interval(Range{-1, 1}), 3)) {
+      EXPECT_FALSE(each.is_bounded()) << text;
+    }
+    EXPECT_FALSE(value(function, Interval(Range{0, 1})).is_bounded()) << text;
+    EXPECT_TRUE(value(function, Interval(Range{1, 2})).is_bounded()) << text;
+  }
 }
 
 }  // namespace
