@@ -1,5 +1,8 @@
 #include "model/lane/function/interval.hpp"
 
+#include <utility>
+#include <vector>
+
 #include "model/base/common/check.hpp"
 #include "model/base/number/dyadic.hpp"
 
@@ -19,7 +22,60 @@ bool is_below(mpfr_srcptr number, mpfr_exp_t exponent) {
   return mpfr_zero_p(number) != 0 || (mpfr_regular_p(number) && mpfr_get_exp(number) <= exponent);
 }
 
+mpfi_ptr made() {
+  const mpfi_ptr value = new __mpfi_struct;
+  mpfi_init2(value, Interval::digits);
+  return value;
+}
+
+void clear(mpfi_ptr value) {
+  mpfi_clear(value);
+  delete value;
+}
+
+/// Intervals that wait for another use: series make and drop many, and memory takes longer than
+/// their arithmetic.
+class Pool {
+public:
+  ~Pool();
+  mpfi_ptr take() {
+    if (free_.empty()) return made();
+    const mpfi_ptr last = free_.back();
+    free_.pop_back();
+    return last;
+  }
+  void give_back(mpfi_ptr value) { free_.push_back(value); }
+
+private:
+  std::vector<mpfi_ptr> free_;
+};
+
+/// Intervals of static lifetime end after their thread's pool.
+thread_local bool has_pool = true;
+thread_local Pool pool;
+
+Pool::~Pool() {
+  has_pool = false;
+  for (const mpfi_ptr each : free_) clear(each);
+}
+
 }  // namespace
+
+Interval::Interval() : value_(has_pool ? pool.take() : made()) {}
+
+Interval::~Interval() {
+  if (value_ == nullptr) return;
+  if (has_pool) {
+    pool.give_back(value_);
+  } else {
+    clear(value_);
+  }
+}
+
+Interval& Interval::operator=(Interval&& other) noexcept {
+  std::swap(value_, other.value_);
+  return *this;
+}
 
 Interval::Interval(const Range& range) : Interval() {
   mpfi_interv_q(value_, range.low.get_mpq_t(), range.high.get_mpq_t());
@@ -99,17 +155,6 @@ Interval operator/(const Interval& a, const Interval& b) {
   Interval quotient;
   mpfi_div(quotient.value_, a.value_, b.value_);
   return quotient;
-}
-
-Interval product_coefficient(const std::vector<Interval>& a, const std::vector<Interval>& b,
-                             std::size_t k, std::size_t skipped) {
-  Interval sum = 0, term;
-  for (std::size_t i = skipped; i <= k; ++i) {
-    if (mpfi_is_zero(a[i].get()) > 0 || mpfi_is_zero(b[k - i].get()) > 0) continue;
-    mpfi_mul(term.get(), a[i].get(), b[k - i].get());
-    mpfi_add(sum.get(), sum.get(), term.get());
-  }
-  return sum;
 }
 
 }  // namespace mixcmp::function

@@ -3,7 +3,7 @@
 #include <gmpxx.h>
 #include <mpfi.h>
 
-#include <vector>
+#include <utility>
 
 #include "model/comparison/expression/range.hpp"
 
@@ -17,15 +17,17 @@ public:
   /// Beyond the numbers of formats with 15 exponent bits.
   static constexpr int most_exponent = 1 << 15;
 
-  Interval() { mpfi_init2(value_, digits); }
+  Interval();
   Interval(int value) : Interval() { mpfi_set_si(value_, value); }
   Interval(const mpq_class& value) : Interval() { mpfi_set_q(value_, value.get_mpq_t()); }
   explicit Interval(const Range& range);
   /// All numbers.
   static Interval unbounded();
   Interval(const Interval& other) : Interval() { mpfi_set(value_, other.value_); }
+  Interval(Interval&& other) noexcept : value_(std::exchange(other.value_, nullptr)) {}
   Interval& operator=(const Interval& other);
-  ~Interval() { mpfi_clear(value_); }
+  Interval& operator=(Interval&& other) noexcept;
+  ~Interval();
 
   mpfi_srcptr get() const { return value_; }
   mpfi_ptr get() { return value_; }
@@ -46,13 +48,8 @@ public:
   friend Interval operator/(const Interval& a, const Interval& b);
 
 private:
-  mpfi_t value_;
+  mpfi_ptr value_;  ///< none after a move
 };
-
-/// The coefficient of t^k of a product of two series in t, without the terms of the first `skipped`
-/// coefficients of a.
-Interval product_coefficient(const std::vector<Interval>& a, const std::vector<Interval>& b,
-                             std::size_t k, std::size_t skipped = 0);
 
 /// Interval::is_bounded and Interval::range for intervals of other precisions.
 bool is_bounded(mpfi_srcptr interval);

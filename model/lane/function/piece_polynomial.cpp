@@ -40,8 +40,7 @@ struct SmoothPart {
     if (polynomial) {
       Polynomial around = moved(*polynomial, Interval(x - knot));
       around.resize(static_cast<std::size_t>(count), 0);
-      scale(around, slope);
-      return around;
+      return composed(around, line(x, slope, around.size()));
     }
     Polynomial around = taylor(function, Interval(x), count - 1, slope);
     const Interval all(Range{x - reach, x + reach});

@@ -14,67 +14,6 @@
 namespace mixcmp::function {
 namespace {
 
-using Series = std::vector<Interval>;
-
-/// The series of y, where y' = rate y.
-Series exponential(const Interval& first, const Interval& rate, int count) {
-  Series y = {first};
-  for (int k = 1; k < count; ++k) y.push_back(rate * y.back() / Interval(k));
-  return y;
-}
-
-/// The series of y, where y' = scale / x. It has no bound where x has no logarithm; scale / x may
-/// have one there.
-Series logarithm(const Interval& first, const Interval& x, const Interval& scale, int count) {
-  if (!first.is_bounded()) return Series(static_cast<std::size_t>(count), first);
-  Series y = {first};
-  Interval power = scale / x;  // +- scale / x^k
-  for (int k = 1; k < count; ++k) {
-    y.push_back(power / Interval(k));
-    power = Interval(0) - power / x;
-  }
-  return y;
-}
-
-/// The series of y, where y'' = sign y.
-Series oscillation(const Interval& first, const Interval& slope, int sign, int count) {
-  Series y = {first, slope};
-  for (int k = 2; k < count; ++k) {
-    y.push_back(Interval(sign) * y[static_cast<std::size_t>(k) - 2] / Interval(k * (k - 1)));
-  }
-  y.resize(static_cast<std::size_t>(count));
-  return y;
-}
-
-/// The series of y, where y' = 1 + sign y^2.
-Series tangent(const Interval& first, int sign, int count) {
-  Series y = {first};
-  for (int k = 1; k < count; ++k) {
-    const Interval square = product_coefficient(y, y, static_cast<std::size_t>(k) - 1);
-    y.push_back((Interval(k == 1 ? 1 : 0) + Interval(sign) * square) / Interval(k));
-  }
-  return y;
-}
-
-/// The series of atan, where y' = 1 / (1 + x^2).
-Series arc_tangent(const Interval& first, const Interval& x, int count) {
-  Interval square;
-  mpfi_sqr(square.get(), x.get());
-  const Interval divisor = Interval(1) + square, twice = Interval(2) * x;
-  Series rate = {Interval(1) / divisor};  // (divisor + twice h + h^2) rate = 1
-  for (int k = 1; k < count; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    Interval rest = twice * rate[at - 1];
-    if (k > 1) rest = rest + rate[at - 2];
-    rate.push_back(Interval(0) - rest / divisor);
-  }
-  Series y = {first};
-  for (int k = 1; k < count; ++k) {
-    y.push_back(rate[static_cast<std::size_t>(k) - 1] / Interval(k));
-  }
-  return y;
-}
-
 bool is_whole(const mpq_class& number) {
   return number.get_den() == 1;
 }
@@ -118,15 +57,15 @@ void enclose_power(mpfi_ptr y, mpfi_srcptr x, const mpq_class& exponent) {
   mpfi_clear(base);
 }
 
-/// The series of x^exponent, by the binomial one.
-Series binomial(const Interval& x, const mpq_class& exponent, int count) {
+/// The series of (x + h)^exponent, by the binomial one.
+Series binomial(const Interval& x, const mpq_class& exponent, std::size_t count) {
   const bool is_below = !is_whole(exponent) && mpfr_sgn(&x.get()->right) < 0;
   Series y;
   mpq_class factor = is_below ? 0 : 1;  // that of x^(exponent - k)
-  for (int k = 0; k < count; ++k) {
-    const mpq_class left = exponent - k;
+  for (std::size_t k = 0; k < count; ++k) {
+    const mpq_class left = exponent - static_cast<int>(k);
     y.push_back(factor == 0 ? Interval(0) : Interval(factor) * value(Function::power_of(left), x));
-    factor *= left / (k + 1);
+    factor *= left / (static_cast<int>(k) + 1);
   }
   return y;
 }
@@ -155,10 +94,8 @@ void enclose_sign(mpfi_ptr y, mpfi_srcptr x) {
 
 /// The series of a function that is a line between its jumps. An interval that holds a jump has no
 /// bounded slopes.
-Series line(const Interval& first, bool jumps, int slope, int count) {
-  Series y(static_cast<std::size_t>(count), Interval(0));
-  y.front() = first;
-  if (count > 1) y[1] = slope;
+Series between_jumps(const Interval& first, bool jumps, int slope, std::size_t count) {
+  Series y = line(first, slope, count);
   for (std::size_t k = 1; jumps && k < y.size(); ++k) y[k] = Interval::unbounded();
   return y;
 }
@@ -206,16 +143,19 @@ Range coefficient(const Interpolation& table, mpfi_srcptr x, std::size_t k) {
   return *all;
 }
 
-Series polynomials(const Interpolation& table, const Interval& x, int count) {
+Series polynomials(const Interpolation& table, const Interval& x, std::size_t count) {
   Series y;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     y.emplace_back(coefficient(table, x.get(), k));
   }
   return y;
 }
 
-Interval mapped(const Interval& x, const AffineMap& map) {
-  return Interval(map.factor) * x + Interval(map.offset);
+/// The series of factor u + offset.
+Series mapped(const Series& u, const AffineMap& map) {
+  Series y = multiple(Interval(map.factor), u);
+  y.front() = y.front() + Interval(map.offset);
+  return y;
 }
 
 Interval log_of_two() {
@@ -224,51 +164,66 @@ Interval log_of_two() {
   return constant;
 }
 
+/// The series of scale log(u). It has no bound where u has no logarithm; scale u' / u may have one
+/// there.
+Series logarithm(const Interval& first, const Series& u, const Interval& scale) {
+  if (!first.is_bounded()) return Series(u.size(), first);
+  return integral_of_quotient(first, multiple(scale, u), u);
+}
+
+/// The series around x of a function that formulas do not hold, or of a power.
+Series around(const Function& function, const Interval& x, std::size_t count) {
+  const Interval first = value(function, x);
+  switch (function.kind()) {
+    case Function::power: return binomial(x, function.parameter(), count);
+    case Function::sign: return between_jumps(first, mpfi_has_zero(first.get()) > 0, 0, count);
+    case Function::remainder:
+      return between_jumps(first, !one_quotient(x.get(), function.parameter()), 1, count);
+    case Function::table: return polynomials(function.interpolation(), x, count);
+    default: MIXCMP_CHECK(!"a function of these");
+  }
+}
+
 }  // namespace
 
-std::vector<Interval> taylor(const Function& function, const Interval& argument, int count) {
-  MIXCMP_CHECK(count > 0);
-  const AffineMap& inner = function.inner();
-  if (!inner.is_identity()) {
-    Series y = taylor(function.outer(), mapped(argument, inner), count);
-    scale(y, inner.factor);
-    return y;
+Series taylor(const Function& function, const Series& argument) {
+  if (!function.inner().is_identity()) {
+    return taylor(function.outer(), mapped(argument, function.inner()));
   }
-  const Interval& x = argument;
-  const Interval one = 1, first = value(function, x);
+  const Series& u = argument;
+  const Interval& x = u.front();
+  const Interval first = value(function, x), one = 1;
   switch (function.kind()) {
-    case Function::exp: return exponential(first, one, count);
-    case Function::exp2: return exponential(first, log_of_two(), count);
+    case Function::exp: return exponential(first, one, u);
+    case Function::exp2: return exponential(first, log_of_two(), u);
     case Function::expm1: {
-      Series y = exponential(value(Function::exp, x), one, count);
+      Series y = exponential(value(Function::exp, x), one, u);
       y.front() = first;
       return y;
     }
-    case Function::log: return logarithm(first, x, one, count);
-    case Function::log2: return logarithm(first, x, one / log_of_two(), count);
-    case Function::log1p: return logarithm(first, one + x, one, count);
-    case Function::sin: return oscillation(first, value(Function::cos, x), -1, count);
-    case Function::cos: return oscillation(first, Interval(0) - value(Function::sin, x), -1, count);
-    case Function::tan: return tangent(first, 1, count);
-    case Function::atan: return arc_tangent(first, x, count);
-    case Function::sinh: return oscillation(first, value(Function::cosh, x), 1, count);
-    case Function::cosh: return oscillation(first, value(Function::sinh, x), 1, count);
-    case Function::tanh: return tangent(first, -1, count);
-    case Function::power: return binomial(x, function.parameter(), count);
-    case Function::sign: return line(first, mpfi_has_zero(first.get()) > 0, 0, count);
+    case Function::log: return logarithm(first, u, one);
+    case Function::log2: return logarithm(first, u, one / log_of_two());
+    case Function::log1p: return logarithm(first, sum(u, constant(one, u.size())), one);
+    case Function::sin: return oscillation(first, value(Function::cos, x), -1, u);
+    case Function::cos: return oscillation(first, Interval(0) - value(Function::sin, x), -1, u);
+    case Function::tan: return tangent(first, 1, u);
+    case Function::atan:
+      return integral_of_quotient(first, u, sum(square(u), constant(one, u.size())));
+    case Function::sinh: return oscillation(first, value(Function::cosh, x), 1, u);
+    case Function::cosh: return oscillation(first, value(Function::sinh, x), 1, u);
+    case Function::tanh: return tangent(first, -1, u);
+    case Function::power:
+    case Function::sign:
     case Function::remainder:
-      return line(first, !one_quotient(x.get(), function.parameter()), 1, count);
-    case Function::table: return polynomials(function.interpolation(), x, count);
-    case Function::formula: return taylor(function.expression(), x, count);
+    case Function::table: return composed(around(function, x, u.size()), u);
+    case Function::formula: return taylor(function.expression(), u);
   }
   MIXCMP_CHECK(false);
 }
 
-std::vector<Interval> taylor(const Function& function, const Interval& x, int count,
-                             const mpq_class& slope) {
-  std::vector<Interval> series = taylor(function, x, count);
-  scale(series, slope);
-  return series;
+Series taylor(const Function& function, const Interval& x, int count, const mpq_class& slope) {
+  MIXCMP_CHECK(count > 0);
+  return taylor(function, line(x, slope, static_cast<std::size_t>(count)));
 }
 
 namespace {
@@ -290,7 +245,7 @@ Series hull_of_parts(const Function& function, const Range& x, int count) {
 
 }  // namespace
 
-std::vector<Interval> taylor_on(const Function& function, const Range& x, int count) {
+Series taylor_on(const Function& function, const Range& x, int count) {
   if (function.kind() != Function::formula || x.low == x.high) {
     return taylor(function, Interval(x), count);
   }
@@ -298,16 +253,6 @@ std::vector<Interval> taylor_on(const Function& function, const Range& x, int co
   static Memo<Key, Series> known;
   const Key key{function, x.low.get_str(62), x.high.get_str(62), count};
   return *known.of(key, [&] { return hull_of_parts(function, x, count); });
-}
-
-void scale(std::vector<Interval>& series, const mpq_class& slope) {
-  if (slope == 1) return;
-  const Interval factor(slope);
-  Interval power = 1;
-  for (Interval& coefficient : series) {
-    coefficient = coefficient * power;
-    power = power * factor;
-  }
 }
 
 void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x) {

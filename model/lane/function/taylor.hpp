@@ -3,24 +3,19 @@
 #include <vector>
 
 #include "model/comparison/expression/function.hpp"
-#include "model/lane/function/interval.hpp"
+#include "model/lane/function/series.hpp"
 
 namespace mixcmp::function {
 
-/// Encloses the Taylor coefficients f^(k)(x) / k! of a function, k = 0 .. count - 1, for every x of
-/// the interval, by the recurrences of Moore (Methods and Applications of Interval Analysis, 1979).
-/// An interval that leaves the function's domain has unbounded ones. With a slope they are those of
-/// f(slope t), in t.
-std::vector<Interval> taylor(const Function& function, const Interval& x, int count);
-std::vector<Interval> taylor(const Function& function, const Interval& x, int count,
-                             const mpq_class& slope);
+/// The series of f(u). It is unbounded where the first coefficient of u leaves the domain of f.
+Series taylor(const Function& function, const Series& u);
+/// Encloses the Taylor coefficients of f(x + slope h) in h, k = 0 .. count - 1, for every x of the
+/// interval: with slope 1 they are f^(k)(x) / k!.
+Series taylor(const Function& function, const Interval& x, int count, const mpq_class& slope = 1);
 
 /// The same on a range. A formula may read its variable twice, which makes an enclosure of all its
 /// values at once too wide: its coefficients are the hull of those on 128 parts of the range.
-std::vector<Interval> taylor_on(const Function& function, const Range& x, int count);
-
-/// Makes the series of f(t) that of f(slope t).
-void scale(std::vector<Interval>& series, const mpq_class& slope);
+Series taylor_on(const Function& function, const Range& x, int count);
 
 /// Encloses the function's values, in the precision of y. Beyond a closed end of its domain a
 /// function has the value of the end, a formula what its operations make of it.
