@@ -13,7 +13,7 @@
 namespace mixcmp::scene {
 namespace {
 
-using PossibleRange = std::optional<Range>;
+using function::PossibleRange;
 
 /// Between the poles of tan at +-pi / 2: tan grows.
 const Range tan_branch = {mpq_class(-157, 100), mpq_class(157, 100)};
@@ -146,19 +146,8 @@ private:
 };
 
 const PossibleRange& Mover::range(NodeId id, Ranges& ranges) {
-  const auto of = [&](NodeId operand) {
-    return operand < 0 ? PossibleRange() : ranges.nodes[static_cast<std::size_t>(operand)];
-  };
   for (auto next = static_cast<NodeId>(ranges.nodes.size()); next <= id; ++next) {
-    const Node& each = node(next);
-    if (each.operation == Operation::input) {
-      ranges.nodes.push_back(ranges.inputs[static_cast<std::size_t>(each.input)]);
-    } else if (each.operation == Operation::constant) {
-      ranges.nodes.push_back(Range{each.value, each.value});
-    } else {
-      ranges.nodes.push_back(
-          function::value_range(each, of(each.operands[0]), of(each.operands[1])));
-    }
+    ranges.nodes.push_back(function::value_range(node(next), ranges.inputs, ranges.nodes));
   }
   return ranges.nodes[static_cast<std::size_t>(id)];
 }

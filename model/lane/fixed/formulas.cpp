@@ -12,7 +12,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-using PossibleRange = std::optional<Range>;
+using function::PossibleRange;
 
 /// A range with a margin for the rounding of computed numbers: a share of the range on each side,
 /// but of an end near 0 no more than that share of it.
@@ -72,11 +72,10 @@ constexpr NodeId none = -1;
 
 /// What is known of a node.
 struct NodeFacts {
-  NodeId variable = none;     ///< the number on which it depends; none for a constant
-  PossibleRange values = {};  ///< even if variables are a little off
-  bool has_domain = false;    ///< it needs its variable in a range
-  bool needs_table = false;   ///< a function or a quotient is on the way from the variable
-  bool is_variable = false;   ///< others read it as a number on which they depend
+  NodeId variable = none;    ///< the number on which it depends; none for a constant
+  bool has_domain = false;   ///< it needs its variable in a range
+  bool needs_table = false;  ///< a function or a quotient is on the way from the variable
+  bool is_variable = false;  ///< others read it as a number on which they depend
 };
 
 /// Finds the nodes that depend on one number: an input, or a result that formulas do not hold.
@@ -96,7 +95,7 @@ private:
   }
 
   void find_facts(const std::set<NodeId>& tables);
-  NodeFacts facts_of(NodeId id) const;
+  NodeFacts facts_of(NodeId id, bool has_values) const;
   std::optional<NodeId> common_variable(NodeId id) const;
   bool may_fail(NodeId id) const;
   std::set<NodeId> tables() const;
@@ -104,7 +103,8 @@ private:
 
   const Graph& graph_;
   const std::vector<PossibleRange>& ranges_;
-  std::vector<NodeFacts> facts_;  ///< [node]
+  std::vector<NodeFacts> facts_;       ///< [node]
+  std::vector<PossibleRange> values_;  ///< [node]: even if variables are a little off
 };
 
 /// Whether an operation has no value, or an infinite slope, for some values of the variable.
@@ -149,26 +149,15 @@ std::optional<NodeId> FormulaFinder::common_variable(NodeId id) const {
   return found;
 }
 
-NodeFacts FormulaFinder::facts_of(NodeId id) const {
+/// `has_values`: whether values of the node are known to be bounded.
+NodeFacts FormulaFinder::facts_of(NodeId id, bool has_values) const {
   const Node& each = node(id);
-  const auto as_variable = [&](const PossibleRange& range) {
-    return NodeFacts{.variable = id, .values = with_margin(range), .is_variable = true};
-  };
-  if (each.operation == Operation::constant) return {.values = Range{each.value, each.value}};
-  if (each.operation == Operation::input) {
-    return as_variable(ranges_.empty() ? std::nullopt
-                                       : ranges_[static_cast<std::size_t>(each.input)]);
-  }
-  const auto values = [&](NodeId operand) {
-    return operand == none ? PossibleRange() : of(operand).values;
-  };
-  const PossibleRange own =
-      function::value_range(each, values(each.operands[0]), values(each.operands[1]));
+  if (each.operation == Operation::constant) return {};
   const std::optional<NodeId> variable = common_variable(id);
-  if (!variable || (may_fail(id) && !own) || graph_.limits().contains(id)) {
-    return as_variable(own);
+  if (!variable || (may_fail(id) && !has_values) || graph_.limits().contains(id)) {
+    return {.variable = id, .is_variable = true};
   }
-  NodeFacts facts = {.variable = *variable, .values = own, .has_domain = may_fail(id)};
+  NodeFacts facts = {.variable = *variable, .has_domain = may_fail(id)};
   facts.needs_table =
       facts.has_domain || (each.operation == Operation::function && *variable != none);
   for (const NodeId operand : operands(id)) {
@@ -182,13 +171,13 @@ NodeFacts FormulaFinder::facts_of(NodeId id) const {
 /// `tables`: nodes that others read as numbers, even if one formula could hold both.
 void FormulaFinder::find_facts(const std::set<NodeId>& tables) {
   facts_.clear();
+  values_.clear();
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes().size()); ++id) {
-    NodeFacts facts = facts_of(id);
-    if (!facts.is_variable && tables.contains(id)) {
-      facts.values = with_margin(facts.values);
-      facts.is_variable = true;
-    }
-    facts_.push_back(std::move(facts));
+    const PossibleRange values = function::value_range(node(id), ranges_, values_);
+    NodeFacts facts = facts_of(id, values.has_value());
+    facts.is_variable = facts.is_variable || tables.contains(id);
+    facts_.push_back(facts);
+    values_.push_back(facts.is_variable ? with_margin(values) : values);
   }
 }
 
@@ -230,7 +219,7 @@ Formula FormulaFinder::formula(NodeId id) const {
     copies[static_cast<std::size_t>(each)] = static_cast<NodeId>(made.nodes.size());
     made.nodes.push_back(std::move(copied));
   }
-  if (of(id).has_domain) made.arguments = of(variable).values;
+  if (of(id).has_domain) made.arguments = values_[static_cast<std::size_t>(variable)];
   return made;
 }
 

@@ -12,7 +12,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-using PossibleRange = std::optional<Range>;
+using function::PossibleRange;
 
 /// Factors that span fewer binades, all together, are left as they are.
 constexpr long least_binades = 16;
@@ -41,7 +41,7 @@ class MonomialFinder {
 public:
   MonomialFinder(const Graph& graph, const std::vector<PossibleRange>& ranges) : graph_(graph) {
     for (const Node& node : graph.nodes()) {
-      ranges_.push_back(range_of(node, ranges));
+      ranges_.push_back(function::value_range(node, ranges, ranges_));
       monomials_.push_back(monomial_of(node));
     }
   }
@@ -58,7 +58,6 @@ private:
   }
   bool is_constant(NodeId id) const { return node(id).operation == Operation::constant; }
 
-  PossibleRange range_of(const Node& node, const std::vector<PossibleRange>& inputs) const;
   Monomial monomial_of(const Node& node) const;
   Monomial itself() const { return {.exponents = {{static_cast<NodeId>(monomials_.size()), 1}}}; }
   bool is_worth_logarithms(const Monomial& monomial) const;
@@ -68,18 +67,6 @@ private:
   std::vector<PossibleRange> ranges_;  ///< [node]
   std::vector<Monomial> monomials_;    ///< [node]: often the node itself
 };
-
-PossibleRange MonomialFinder::range_of(const Node& node,
-                                       const std::vector<PossibleRange>& inputs) const {
-  if (node.operation == Operation::constant) return Range{node.value, node.value};
-  if (node.operation == Operation::input) {
-    return inputs.empty() ? std::nullopt : inputs[static_cast<std::size_t>(node.input)];
-  }
-  const auto operand = [&](NodeId id) {
-    return id < 0 ? PossibleRange() : ranges_[static_cast<std::size_t>(id)];
-  };
-  return function::value_range(node, operand(node.operands[0]), operand(node.operands[1]));
-}
 
 Monomial MonomialFinder::monomial_of(const Node& node) const {
   const auto id = static_cast<NodeId>(monomials_.size());

@@ -12,15 +12,8 @@ std::optional<Range> function_range(const Function& function, const Range& argum
   return values.is_bounded() ? std::optional(values.range()) : std::nullopt;
 }
 
-}  // namespace
-
-bool has_value_in(const Function& function, const Range& arguments) {
-  const Domain all = domain(function);
-  return all.contains(arguments.low) && all.contains(arguments.high);
-}
-
-std::optional<Range> value_range(const Node& node, const std::optional<Range>& a,
-                                 const std::optional<Range>& b) {
+/// Encloses the values of an operation on operands in the ranges a and b.
+PossibleRange result_range(const Node& node, const PossibleRange& a, const PossibleRange& b) {
   if (!a || (arity(node.operation) == 2 && !b)) return std::nullopt;
   switch (node.operation) {
     case Operation::negate: return negated(*a);
@@ -43,6 +36,26 @@ std::optional<Range> value_range(const Node& node, const std::optional<Range>& a
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"an operand, or an operation of typed graphs");
+}
+
+}  // namespace
+
+bool has_value_in(const Function& function, const Range& arguments) {
+  const Domain all = domain(function);
+  return all.contains(arguments.low) && all.contains(arguments.high);
+}
+
+PossibleRange value_range(const Node& node, const std::vector<PossibleRange>& inputs,
+                          const std::vector<PossibleRange>& nodes) {
+  const auto operand = [&](NodeId id) {
+    return id < 0 ? PossibleRange() : nodes[static_cast<std::size_t>(id)];
+  };
+  switch (node.operation) {
+    case Operation::constant: return Range{node.value, node.value};
+    case Operation::input:
+      return inputs.empty() ? std::nullopt : inputs[static_cast<std::size_t>(node.input)];
+    default: return result_range(node, operand(node.operands[0]), operand(node.operands[1]));
+  }
 }
 
 }  // namespace mixcmp::function
