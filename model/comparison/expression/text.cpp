@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "model/comparison/expression/formula.hpp"
 
@@ -61,6 +62,23 @@ Binding binding_of(const AnyNode& node) {
   MIXCMP_CHECK(false);
 }
 
+/// Adds a formula of the argument to nodes, and returns its value.
+NodeId append(std::vector<Node>& nodes, const Formula& formula, NodeId argument) {
+  std::vector<NodeId> copies;
+  for (Node node : formula.nodes) {
+    if (node.operation == Operation::input) {
+      copies.push_back(argument);
+      continue;
+    }
+    for (NodeId& operand : node.operands) {
+      if (operand >= 0) operand = copies[static_cast<std::size_t>(operand)];
+    }
+    copies.push_back(static_cast<NodeId>(nodes.size()));
+    nodes.push_back(std::move(node));
+  }
+  return copies.back();
+}
+
 /// Prints nodes of a graph, with or without formats.
 template <class AnyNode>
 class Printer {
@@ -80,14 +98,6 @@ private:
   void expression(NodeId id, Binding least) {
     if (text_.size() > max_length_) return;
     const AnyNode& node = nodes_[static_cast<std::size_t>(id)];
-    if (node.operation == Operation::input && reader_ != nullptr) {
-      Printer argument(reader_->nodes_, inputs_, max_length_);
-      argument.reader_ = reader_->reader_;
-      argument.argument_ = reader_->argument_;
-      argument.expression(argument_, least);
-      text_ += argument.text_;
-      return;
-    }
     if (node.operation == Operation::convert) return expression(node.operands[0], least);
     const bool parenthesised = binding_of(node) < least;
     if (parenthesised) text_ += '(';
@@ -122,10 +132,11 @@ private:
 
   void function(const Node& node) {
     if (const Formula* formula = formula_of(node)) {
-      Printer whole(formula->nodes, inputs_, max_length_);
-      whole.reader_ = this;
-      whole.argument_ = node.operands[0];
-      text_ += whole.print(formula->value());
+      std::vector<Node> nodes = nodes_;
+      const NodeId value = append(nodes, *formula, node.operands[0]);
+      Printer whole(nodes, inputs_, max_length_);
+      whole.expression(value, Binding::sum);
+      text_ += whole.text_;
       return;
     }
     // The text before the argument, and the text behind it.
@@ -174,9 +185,6 @@ private:
   const std::vector<AnyNode>& nodes_;
   const std::vector<std::string>& inputs_;
   std::size_t max_length_;
-  /// While a formula is printed: the printer of the graph that applies it, and its argument there.
-  const Printer* reader_ = nullptr;
-  NodeId argument_ = -1;
   std::string text_;
 };
 

@@ -153,6 +153,7 @@ TEST(Formulas, AreWrittenAsTheExpressionsThatTheyStandFor) {
   EXPECT_EQ(text("exp(a - b)^2 + 1"), "exp(a - b)^2 + 1");
   EXPECT_EQ(text("(a - b) * exp(a - b)"), "(a - b) * exp(a - b)");
   EXPECT_EQ(text("a * sin(cos(a - b))"), "a * sin(cos(a - b))");
+  EXPECT_EQ(text("b + 1 / (1 + exp(abs(sin(a)^2 + 1)))"), "b + 1 / (1 + exp(abs(sin(a)^2 + 1)))");
 }
 
 TEST(Logarithms, AreAddedWhereFactorsSpanManyBinades) {
