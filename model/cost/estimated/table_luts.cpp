@@ -17,16 +17,16 @@ constexpr std::size_t free_entries = 4 * lut_entries;
 constexpr double luts_of_choice = 0.35;
 
 /// A function of some bits of the address: its values at all their combinations, "0110".
-struct Function {
+struct BitFunction {
   std::vector<int> bits;  ///< of the address, the lowest first
   std::string values;
 
-  friend auto operator<=>(const Function&, const Function&) = default;
+  friend auto operator<=>(const BitFunction&, const BitFunction&) = default;
 };
 
 /// The function without a bit, where that is 0 or 1.
-Function restricted(const Function& function, std::size_t bit, std::size_t to) {
-  Function rest{function.bits, {}};
+BitFunction restricted(const BitFunction& function, std::size_t bit, std::size_t to) {
+  BitFunction rest{function.bits, {}};
   rest.bits.erase(rest.bits.begin() + static_cast<std::ptrdiff_t>(bit));
   for (std::size_t k = 0; k < function.values.size(); ++k) {
     if ((k >> bit & 1) == to) rest.values += function.values[k];
@@ -35,19 +35,19 @@ Function restricted(const Function& function, std::size_t bit, std::size_t to) {
 }
 
 /// The function of only those bits on which it depends.
-Function reduced(Function function) {
+BitFunction reduced(BitFunction function) {
   for (std::size_t bit = function.bits.size(); bit-- > 0;) {
-    Function low = restricted(function, bit, 0);
+    BitFunction low = restricted(function, bit, 0);
     if (low.values == restricted(function, bit, 1).values) function = std::move(low);
   }
   return function;
 }
 
 /// The different functions that tables need.
-class Functions {
+class LookUpTables {
 public:
-  void add(const Function& whole) {
-    Function function = reduced(whole);
+  void add(const BitFunction& whole) {
+    BitFunction function = reduced(whole);
     const std::size_t top = function.bits.size();
     // A constant or a bit of the address is no look-up table.
     if (top < 2 || !known_.insert(function).second) return;
@@ -64,7 +64,7 @@ public:
   int choices() const { return choices_; }
 
 private:
-  std::set<Function> known_;
+  std::set<BitFunction> known_;
   int luts_ = 0, choices_ = 0;
 };
 
@@ -73,14 +73,14 @@ private:
 int table_luts(const std::vector<Bits>& words, int width) {
   std::vector<int> address(static_cast<std::size_t>(std::countr_zero(words.size())));
   std::iota(address.begin(), address.end(), 0);
-  Functions functions;
+  LookUpTables tables;
   for (int bit = 0; bit < width; ++bit) {
     std::string values;
     for (const Bits& word : words) values += (word >> bit & 1) != 0 ? '1' : '0';
-    functions.add({address, values});
+    tables.add({address, values});
   }
-  const double choices = words.size() > free_entries ? luts_of_choice * functions.choices() : 0;
-  return functions.luts_of_lower_bits() + static_cast<int>(std::lround(choices));
+  const double choices = words.size() > free_entries ? luts_of_choice * tables.choices() : 0;
+  return tables.luts_of_lower_bits() + static_cast<int>(std::lround(choices));
 }
 
 }  // namespace mixcmp::estimated

@@ -258,7 +258,7 @@ bool is_checked(const FixedNode& node) {
 
 namespace {
 
-Result<FixedLane> lane_as_written(const Graph& graph, FloatFormat input_format,
+Result<FixedLane> lane_of_graph(const Graph& graph, FloatFormat input_format,
                                   const FixedOptions& options) {
   const bool any_fixed =
       std::any_of(options.operand_formats.begin(), options.operand_formats.end(),
@@ -314,7 +314,7 @@ std::vector<std::optional<Range>> known_ranges(const FixedOptions& options) {
 
 Result<FixedLane> lane_with_formulas(const Graph& graph, FloatFormat input_format,
                                      const FixedOptions& options) {
-  const auto lane_of = [&](const Graph& of) { return lane_as_written(of, input_format, options); };
+  const auto lane_of = [&](const Graph& of) { return lane_of_graph(of, input_format, options); };
   const std::vector<std::optional<Range>> ranges = known_ranges(options);
   auto formulas = with_formulas(graph, ranges);
   if (!formulas) return lane_of(graph);
@@ -346,7 +346,7 @@ bool errs_less(const FixedLane& lane, const FixedLane& other) {
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
-  if (!options.format.is_plain()) return lane_as_written(graph, input_format, options);
+  if (!options.format.is_plain()) return lane_of_graph(graph, input_format, options);
   Result<FixedLane> lane = lane_with_formulas(graph, input_format, options);
   const auto logarithms = with_logarithms(graph, known_ranges(options));
   if (!logarithms) return lane;
