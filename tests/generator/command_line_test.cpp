@@ -203,6 +203,27 @@ TEST_F(CommandLine, CheckTellsTheErrorsOfFunctions) {
   EXPECT_NE(text.output.find("  exp(b) errs by -"), std::string::npos) << text.output;
 }
 
+/// A reference reads numbers of a range that includes 0 in fixed point, and log(a) errs widely
+/// there.
+TEST_F(CommandLine, CheckNotesReferencesThatErrMoreThanLanes) {
+  const auto notes = [&](const char* range) {
+    write("logarithm.toml",
+          "[comparison]\nname = \"l\"\nf = \"log(a)\"\ng = \"b\"\n[inputs]\na = { range = [" +
+              std::string(range) +
+              ", 1], format = \"binary32\" }\nb = { range = [-64, 0], format = \"binary32\" }\n"
+              "[reference]\nformat = \"q36\"\n[reduced]\nformat = \"q13\"\n"
+              "[system]\nlanes = 1\nreferences = 1\n");
+    const Outcome json = mixcmp("check logarithm.toml --json");
+    EXPECT_EQ(json.exit_code, 0) << json.output;
+    return nlohmann::json::parse(json.output).at("generate").at("notes");
+  };
+  EXPECT_EQ(notes("1e-20").size(), 0U);
+  const auto rough = notes("0");
+  ASSERT_EQ(rough.size(), 1U) << rough;
+  EXPECT_EQ(rough[0].get<std::string>().find("references in q36 err more than lanes in q13 do"),
+            0U);
+}
+
 TEST_F(CommandLine, CheckHoldsVariantsAgainstTheComparison) {
   write_scene("alike.toml",
               "a * b\"\n[[variant]]\nname = \"turned\"\nf = \"-a * b\"\ng = \"-a * c");

@@ -144,6 +144,34 @@ void note_undecided_count(const Design& design, std::vector<std::string>& notes)
       "there is no reference: pairs that stay undecided are in the number that is reported");
 }
 
+/// The error of f - g as a share of its largest magnitude, in the part where that is largest.
+mpq_class relative_error(const fixed::FixedLane& lane) {
+  mpq_class most = 0;
+  for (const fixed::FixedPart& part : lane.parts) {
+    const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];
+    const mpq_class value = absolute(difference.value).high;
+    if (value != 0) most = std::max<mpq_class>(most, absolute(difference.error).high / value);
+  }
+  return most;
+}
+
+/// Adds a note if references in fixed point err more than lanes, whose undecided comparisons they
+/// order: lanes read the exponents of operands near 0, where references may not.
+void note_rough_references(const Design& design, std::vector<std::string>& notes) {
+  if (!design.fixed_reference || design.reference_count() == 0) return;
+  const mpq_class error = relative_error(*design.fixed_reference);
+  for (const design::LaneGroup& group : design.lanes) {
+    const auto* lane = std::get_if<fixed::FixedLane>(&group.lane);
+    if (lane == nullptr || error <= relative_error(*lane)) continue;
+    notes.push_back(fmt::format(
+        "references in {} err more than lanes in {} do, and may order wrongly what these leave "
+        "undecided: declare operands of functions that come near 0, or span many binades, in "
+        "narrower ranges",
+        design.fixed_reference->format.name(), lane->format.name()));
+    return;
+  }
+}
+
 std::vector<SignaturePort> signature_ports(const Module& top) {
   std::vector<SignaturePort> ports;
   for (const rtl::Port& port : top.ports) {
@@ -309,6 +337,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
   note_undecided_count(design, system.notes);
+  note_rough_references(design, system.notes);
   system.signature.spec_hash = spec_hash(texts, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.engine) {

@@ -126,7 +126,10 @@ std::optional<Range> FixedGraphBuilder::encoded_numbers(const Function& function
   }
   const mpq_class least = power_of_two(input_format_.min_exponent());
   const mpq_class most = power_of_two(input_format_.max_exponent());
-  const bool are_normal = numbers.low >= least && numbers.high <= most;
+  // Subnormal numbers have no encoding, and are left undecided.
+  if (numbers.low > 0) numbers.low = std::max(numbers.low, least);
+  const bool are_normal =
+      least <= numbers.low && numbers.low <= numbers.high && numbers.high <= most;
   return are_normal && has_bounded_values_in(function, numbers) ? std::optional(numbers)
                                                                 : std::nullopt;
 }

@@ -351,7 +351,7 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   const auto logarithms = with_logarithms(graph, known_ranges(options));
   if (!logarithms) return lane;
   Result<FixedLane> other = lane_with_formulas(*logarithms, input_format, options);
-  const bool is_better = other.ok() && (!lane.ok() || errs_less(*other, *lane));
+  const bool is_better = !lane.ok() || (other.ok() && errs_less(*other, *lane));
   return is_better ? other : lane;
 }
 

@@ -90,6 +90,8 @@ TEST(Encodings, AreReadWhereAnOperandNearZeroIsSteep) {
   EXPECT_TRUE(reads_encodings(lane_of("log(a) / 2 + 1", {small, 1}, 14)));
   EXPECT_FALSE(reads_encodings(lane_of("exp(a)", {1, 20}, 14)));  // steep far from 0
   EXPECT_FALSE(reads_encodings(lane_of("mod(a, 0.25)", {small, 1}, 14)));
+  // Subnormal numbers have no encoding, all others of the range do.
+  EXPECT_TRUE(reads_encodings(lane_of("log(a)", {power_of_two(-149), 1}, 14)));
   // The whole binade of the range's end holds a pole.
   EXPECT_TRUE(reads_encodings(lane_of("tan(1.57 - a)", {mpq_class(1, 512), mpq_class(3, 2)}, 14)));
 }
