@@ -259,7 +259,7 @@ bool is_checked(const FixedNode& node) {
 namespace {
 
 Result<FixedLane> lane_of_graph(const Graph& graph, FloatFormat input_format,
-                                  const FixedOptions& options) {
+                                const FixedOptions& options) {
   const bool any_fixed =
       std::any_of(options.operand_formats.begin(), options.operand_formats.end(),
                   [](const OperandFormat& format) { return format.fixed() != nullptr; });
