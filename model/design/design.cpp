@@ -415,7 +415,6 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_DO(check_request_beats(scene.system, *interval));
   }
-  // Judges need a rounding reference even if the system has no references.
   if (scene.reference_fixed_point || (scene.has_fixed_references() && !design.references.empty())) {
     MIXCMP_TRY(fixed, design_fixed_reference(scene));
     design.fixed_reference = std::move(fixed);

@@ -321,7 +321,7 @@ Result<FixedLane> lane_with_formulas(const Graph& graph, FloatFormat input_forma
   Result<FixedLane> lane = lane_of(*formulas);
   if (lane.ok()) return lane;
   // Some formula has no table that is small enough.
-  formulas = with_formulas(graph, ranges, [&](const Graph& alone) { return lane_of(alone).ok(); });
+  formulas = with_formulas(graph, ranges, [&](const Graph& one) { return lane_of(one).ok(); });
   Result<FixedLane> fewer = lane_of(formulas ? *formulas : graph);
   if (!fewer.ok() && formulas) fewer = lane_of(graph);
   return fewer.ok() ? std::move(fewer) : std::move(lane);

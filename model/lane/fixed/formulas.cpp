@@ -70,7 +70,7 @@ struct AppliedFormula {
 
 constexpr NodeId none = -1;
 
-/// What is known of a node.
+/// The place of a node in formulas.
 struct NodeFacts {
   NodeId variable = none;    ///< the number on which it depends; none for a constant
   bool has_domain = false;   ///< it needs its variable in a range
@@ -238,7 +238,7 @@ std::map<NodeId, AppliedFormula> FormulaFinder::run() {
 }
 
 /// The comparison of a formula with 0.
-std::optional<Graph> alone(const Graph& graph, const AppliedFormula& applied) {
+std::optional<Graph> compared_with_zero(const Graph& graph, const AppliedFormula& applied) {
   GraphCopy copies(graph);
   const NodeId variable = copies.copy(applied.variable);
   const NodeId f = copies.to().apply(applied.function, variable);
@@ -253,7 +253,7 @@ std::optional<Graph> with_formulas(const Graph& graph,
                                    const std::function<bool(const Graph&)>& is_possible) {
   std::map<NodeId, AppliedFormula> formulas = FormulaFinder(graph, ranges).run();
   std::erase_if(formulas, [&](const auto& each) {
-    const auto compared = is_possible ? alone(graph, each.second) : std::nullopt;
+    const auto compared = is_possible ? compared_with_zero(graph, each.second) : std::nullopt;
     return compared && !is_possible(*compared);
   });
   if (formulas.empty()) return std::nullopt;

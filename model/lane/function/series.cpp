@@ -7,7 +7,7 @@ namespace mixcmp::function {
 namespace {
 
 /// The coefficient of h^k of a product, without the terms of the first `skipped` coefficients of a.
-/// Those of a and b that it reads are known.
+/// Reads no coefficients of a above k, and none of b above k - skipped.
 Interval product_coefficient(const Series& a, const Series& b, std::size_t k,
                              std::size_t skipped = 0) {
   Interval sum = 0, term;

@@ -13,15 +13,15 @@ Series taylor(const Function& function, const Series& u);
 /// interval: with slope 1 they are f^(k)(x) / k!.
 Series taylor(const Function& function, const Interval& x, int count, const mpq_class& slope = 1);
 
-/// The same on a range. A formula may read its variable twice, which makes an enclosure of all its
-/// values at once too wide: its coefficients are the hull of those on 128 parts of the range.
+/// `taylor` on a range, with slope 1. An enclosure of all values at once is too wide if a formula
+/// reads its variable twice: a formula has the hull of its coefficients on 128 parts of the range.
 Series taylor_on(const Function& function, const Range& x, int count);
 
 /// Encloses the function's values, in the precision of y. Beyond a closed end of its domain a
 /// function has the value of the end, a formula what its operations make of it.
 void enclose(const Function& function, mpfi_ptr y, mpfi_srcptr x);
 Interval value(const Function& function, const Interval& x);
-/// The same on a range, as by `taylor_on`.
+/// The first coefficient of `taylor_on`.
 Interval value_on(const Function& function, const Range& x);
 
 }  // namespace mixcmp::function

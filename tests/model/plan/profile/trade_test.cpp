@@ -200,7 +200,7 @@ TEST(TableLuts, AreTheDifferentPartsOfAllBits) {
   EXPECT_EQ(luts(7, 1, parity), 1);
   // Bit 0 of these words is 0, bit 1 depends on two bits of the address.
   EXPECT_EQ(luts(7, 2, [](unsigned address) { return Bits{(address >> 6) * (address & 2)}; }), 1);
-  // The same function of different bits is another look-up table.
+  // A function of other bits is another look-up table.
   EXPECT_EQ(luts(6, 2, [](unsigned a) { return Bits{(a & a >> 1 & 1) | (a >> 1 & a >> 2 & 2)}; }),
             2);
   // Four different parts; multiplexers of more than four parts are look-up tables themselves.
