@@ -69,6 +69,8 @@ std::vector<Tool> tools() {
        "the tests of plans by a second solver", Need::optional},
       {"gappa", proof::gappa_version, "gappa",
        "check --prove, and the machine check of error bounds before generate"},
+      {"coqc", asks({"coqc", "--version"}, "coq"), "coq",
+       "the test of the theorems' proofs, with libcoq-flocq", Need::optional},
       {"gnuplot", asks({"gnuplot", "--version"}, "gnuplot-nox"), "gnuplot-nox",
        "the pictures of profile and explore"},
       {"tclsh", finds("tclsh"), "tcl", "the tests of scripts for Vivado and Quartus",
