@@ -561,8 +561,9 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
                  .accepted = "embedded or logic, or a format such as q11 or block11"};
   }
   int widest = 0;
-  for (const fixed::SquareTable& table : fixed::square_tables(*fixed, 1)) {
-    widest = std::max(widest, table.address_bits);
+  for (NodeId id = 0; id < static_cast<NodeId>(fixed->nodes.size()); ++id) {
+    if (fixed->nodes[id].operation != Operation::square) continue;
+    widest = std::max(widest, fixed::magnitude_bits(*fixed, id));
   }
   if (widest <= fixed::most_table_bits) return Done{};
   return Error{.field = "reduced.multipliers",

@@ -4,10 +4,12 @@
 `default_nettype none
 
 module fixed_memory_square #(
-  parameter       A_WIDTH = 8,      // bits of a, 1 to 15
-  parameter       DROPPED = 0,      // low bits of the square that y lacks, 0 or more
-  parameter       WIDTH   = 16,     // bits of y, as its range needs; 1 to 2 A_WIDTH - DROPPED
-  parameter [2:0] CUTS    = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
+  parameter       A_WIDTH        = 8,      // bits of a, 1 to 15
+  parameter       DROPPED        = 0,      // low bits of the square that y lacks, 0 or more
+  // bits of y, as its range needs; 1 to 2 A_WIDTH - DROPPED
+  parameter       WIDTH          = 16,
+  parameter       SIGNED_ADDRESS = 0,      // 1: the operand addresses a word; 0: its magnitude does
+  parameter [2:0] CUTS           = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,
@@ -23,6 +25,9 @@ module fixed_memory_square #(
     end else if ((WIDTH < 1) || (WIDTH + DROPPED > 2 * A_WIDTH)) begin : g_refused_width
       WIDTH_is_not_1_to_that_of_the_square refused ();
     end
+    if ((SIGNED_ADDRESS != 0) && (SIGNED_ADDRESS != 1)) begin : g_refused_address
+      SIGNED_ADDRESS_is_not_0_or_1 refused ();
+    end
     if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
 
@@ -31,13 +36,14 @@ module fixed_memory_square #(
   wire             unused_bits = ^unread;
 
   fixed_memory_squares #(
-    .A_WIDTH  (A_WIDTH),
-    .B_WIDTH  (A_WIDTH),
-    .DROPPED_A(DROPPED),
-    .DROPPED_B(DROPPED),
-    .WIDTH_A  (WIDTH),
-    .WIDTH_B  (WIDTH),
-    .CUTS     (CUTS)
+    .A_WIDTH       (A_WIDTH),
+    .B_WIDTH       (A_WIDTH),
+    .DROPPED_A     (DROPPED),
+    .DROPPED_B     (DROPPED),
+    .WIDTH_A       (WIDTH),
+    .WIDTH_B       (WIDTH),
+    .SIGNED_ADDRESS(SIGNED_ADDRESS),
+    .CUTS          (CUTS)
   ) both (
     .aclk(aclk),
     .a   (a),

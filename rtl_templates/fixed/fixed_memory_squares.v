@@ -4,20 +4,25 @@
 // 1, since a block memory is read into a register.
 // Operands are in two's complement.
 //
-// The memory has a word for each magnitude below 2^ADDRESS_BITS. The two lowest bits of a square
-// take no memory: bit 0 is that of the operand, bit 1 is 0. Only the most negative operand has the
-// magnitude 2^ADDRESS_BITS. Its low bits address word 0, which is 0, and its square is a single one
-// above the bits of all words.
+// The two lowest bits of a square take no memory: bit 0 is that of the operand, bit 1 is 0.
+//
+// SIGNED_ADDRESS = 1: the memory has a word for each operand, and nothing removes signs.
+//
+// SIGNED_ADDRESS = 0: the memory has a word for each magnitude below 2^ADDRESS_BITS, half as many.
+// Only the most negative operand has the magnitude 2^ADDRESS_BITS. Its low bits address word 0,
+// which is 0, and its square is a single one above the bits of all words.
 `default_nettype none
 
 module fixed_memory_squares #(
-  parameter       A_WIDTH   = 8,      // bits of a, 1 to 15
-  parameter       B_WIDTH   = 8,      // bits of b, 1 to 15
-  parameter       DROPPED_A = 0,      // low bits of the square that y_a lacks, 0 or more
-  parameter       DROPPED_B = 0,      // low bits of the square that y_b lacks, 0 or more
-  parameter       WIDTH_A   = 16,     // bits of y_a, as its range needs; 1 to 2 A_WIDTH - DROPPED_A
-  parameter       WIDTH_B   = 16,     // bits of y_b, as its range needs; 1 to 2 B_WIDTH - DROPPED_B
-  parameter [2:0] CUTS      = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
+  parameter       A_WIDTH        = 8,      // bits of a, 1 to 15
+  parameter       B_WIDTH        = 8,      // bits of b, 1 to 15
+  parameter       DROPPED_A      = 0,      // low bits of the square that y_a lacks, 0 or more
+  parameter       DROPPED_B      = 0,      // low bits of the square that y_b lacks, 0 or more
+  // bits of y_a and y_b, as their ranges need; 1 to twice the operand's less those dropped
+  parameter       WIDTH_A        = 16,
+  parameter       WIDTH_B        = 16,
+  parameter       SIGNED_ADDRESS = 0,      // 1: operands address words; 0: magnitudes do
+  parameter [2:0] CUTS           = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,
@@ -29,7 +34,7 @@ module fixed_memory_squares #(
   localparam WIDER        = (A_WIDTH > B_WIDTH) ? A_WIDTH : B_WIDTH;
   localparam WIDEST       = (WIDER > 15) ? 15 : WIDER;
   localparam OPERAND      = (WIDEST < 3) ? 3 : WIDEST;
-  localparam ADDRESS_BITS = OPERAND - 1;
+  localparam ADDRESS_BITS = (SIGNED_ADDRESS != 0) ? OPERAND : OPERAND - 1;
   localparam SQUARE       = 2 * OPERAND;
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
@@ -47,6 +52,9 @@ module fixed_memory_squares #(
       DROPPED_B_is_below_0 refused ();
     end else if ((WIDTH_B < 1) || (WIDTH_B + DROPPED_B > 2 * B_WIDTH)) begin : g_refused_width_b
       WIDTH_B_is_not_1_to_that_of_the_square refused ();
+    end
+    if ((SIGNED_ADDRESS != 0) && (SIGNED_ADDRESS != 1)) begin : g_refused_address
+      SIGNED_ADDRESS_is_not_0_or_1 refused ();
     end
     if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
@@ -74,10 +82,12 @@ module fixed_memory_squares #(
   generate
     for (row = 0; row < ROWS; row = row + 1) begin : g_row
       for (column = 0; column < COLUMNS; column = column + 1) begin : g_word
-        localparam              MAGNITUDE = row * COLUMNS + column;
+        localparam              ADDRESS   = row * COLUMNS + column;
+        localparam              NEGATIVE  = (ADDRESS >= (1 << (OPERAND - 1))) ? 1 : 0;
+        localparam              MAGNITUDE = (NEGATIVE != 0) ? (1 << OPERAND) - ADDRESS : ADDRESS;
         localparam [SQUARE-1:0] WORD      = MAGNITUDE * MAGNITUDE;
 
-        initial words[MAGNITUDE] = WORD[HIGH-1:LOW];
+        initial words[ADDRESS] = WORD[HIGH-1:LOW];
       end
     end
   endgenerate
@@ -93,39 +103,47 @@ module fixed_memory_squares #(
       localparam OWN   = (port == 0) ? A_WIDTH : B_WIDTH;
       localparam FIRST = (port == 0) ? 0 : A_WIDTH;
 
-      // Stage magnitude: -x is ~x + 1.
-      wire [OWN-1:0]     s0_x         = operands[FIRST+:OWN];
-      wire               s0_negative  = s0_x[OWN-1];
-      wire [OWN-1:0]     s0_one       = {{(OWN - 1) {1'b0}}, s0_negative};
-      wire [OWN-1:0]     s0_absolute  = (s0_x ^ {OWN{s0_negative}}) + s0_one;
-      wire [OPERAND-1:0] s0_magnitude = {{(OPERAND - OWN) {1'b0}}, s0_absolute};
+      // Stage magnitude; -x is ~x + 1.
+      wire [OWN-1:0]     s0_x = operands[FIRST+:OWN];
+      wire [OPERAND-1:0] s0_address;
 
-      wire [OPERAND-1:0] s1_magnitude;
+      if (SIGNED_ADDRESS != 0) begin : g_signed
+        assign s0_address = {{(OPERAND - OWN) {s0_x[OWN-1]}}, s0_x};
+      end else begin : g_magnitude
+        wire           s0_negative = s0_x[OWN-1];
+        wire [OWN-1:0] s0_one      = {{(OWN - 1) {1'b0}}, s0_negative};
+        wire [OWN-1:0] s0_absolute = (s0_x ^ {OWN{s0_negative}}) + s0_one;
+
+        assign s0_address = {{(OPERAND - OWN) {1'b0}}, s0_absolute};
+      end
+
+      wire [OPERAND-1:0] s1_address;
 
       fp_rank #(
         .WIDTH     (OPERAND),
         .REGISTERED(CUTS[0])
       ) rank_0 (
         .aclk(aclk),
-        .d   (s0_magnitude),
-        .q   (s1_magnitude)
+        .d   (s0_address),
+        .q   (s1_address)
       );
 
       // Stage read.
       reg [HIGH-1:LOW] s2_word_q;
       reg              s2_odd_q;
-      reg              s2_greatest_q;
+      reg              s2_top_q;
 
       always @(posedge aclk) begin
-        s2_word_q     <= words[s1_magnitude[ADDRESS_BITS-1:0]];
-        s2_odd_q      <= s1_magnitude[0];
-        s2_greatest_q <= s1_magnitude[ADDRESS_BITS];
+        s2_word_q <= words[s1_address[ADDRESS_BITS-1:0]];
+        s2_odd_q  <= s1_address[0];
+        s2_top_q  <= s1_address[OPERAND-1];
       end
 
       // Stage output.
       wire [SQUARE:0] s2_below    = {{(SQUARE + 1 - HIGH) {1'b0}}, s2_word_q,
                                      {(LOW - 1) {1'b0}}, s2_odd_q};
-      wire [SQUARE:0] s2_greatest = {2'b00, s2_greatest_q, {(2 * ADDRESS_BITS) {1'b0}}};
+      wire            s2_beyond   = (SIGNED_ADDRESS == 0) && s2_top_q;
+      wire [SQUARE:0] s2_greatest = {2'b00, s2_beyond, {(SQUARE - 2) {1'b0}}};
 
       assign squares[port*(SQUARE+1)+:SQUARE+1] = s2_below | s2_greatest;
     end

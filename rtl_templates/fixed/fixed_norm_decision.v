@@ -35,8 +35,8 @@ module fixed_norm_decision #(
   // The width of s, or with ROOT of s - 1, which is k ones.
   localparam S_WIDTH = (ROOT != 0) ? (RADIUS_WIDTH + 1) / 2 : RADIUS_WIDTH;
 
-  // A threshold gets a sign; the sum needs one bit more than the wider of threshold and difference.
-  localparam COMMON = ((WIDTH > THRESHOLD_WIDTH) ? WIDTH : THRESHOLD_WIDTH + 1) + 1;
+  // The difference as wide as a threshold with a sign, or wider.
+  localparam EXTENDED = (WIDTH > THRESHOLD_WIDTH) ? WIDTH : THRESHOLD_WIDTH + 1;
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
@@ -98,20 +98,28 @@ module fixed_norm_decision #(
     .q   ({s2_difference, s2_wide_s, s2_above, s2_beyond_reach, s2_out_of_range})
   );
 
-  // Stage compare. With ROOT, s2_wide_s is s - 1. So s 2^SHIFT_BELOW is (s - 1) 2^SHIFT_BELOW, with
-  // ones in the places below, plus 1, which is a carry out of an extra last place.
+  // Stage compare. Thresholds meet only the low bits of the difference. The high bits, its sign on
+  // top, say whether it is beyond every threshold. With ROOT, s2_wide_s is s - 1. So s
+  // 2^SHIFT_BELOW is (s - 1) 2^SHIFT_BELOW, with ones in the places below, plus 1, which is a carry
+  // out of an extra last place.
   localparam [THRESHOLD_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
 
-  wire [THRESHOLD_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;
-  wire [COMMON-1:0]          s2_common =
-      {{(COMMON - WIDTH) {s2_difference[WIDTH-1]}}, s2_difference};
-  wire [COMMON-1:0]          s2_over   =
-      s2_common - {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_above};
-  wire [COMMON:0]            s2_under  =
-      {s2_common, 1'b1} + {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_below, ROOT != 0};
-  wire                       s2_greater  = !s2_over[COMMON-1] || s2_beyond_reach;
-  wire                       s2_less     = s2_under[COMMON] && !s2_beyond_reach;
-  wire                       unused_bits = ^{s2_over, s2_under};
+  wire [THRESHOLD_WIDTH-1:0]  s2_below    = (s2_wide_s << SHIFT_BELOW) | ONES;
+  wire [EXTENDED-1:0]         s2_extended =
+      {{(EXTENDED - WIDTH) {s2_difference[WIDTH-1]}}, s2_difference};
+  wire [THRESHOLD_WIDTH-1:0]  s2_low      = s2_extended[THRESHOLD_WIDTH-1:0];
+  wire [EXTENDED-1:THRESHOLD_WIDTH] s2_high = s2_extended[EXTENDED-1:THRESHOLD_WIDTH];
+  wire                        s2_negative = s2_extended[EXTENDED-1];
+  wire [THRESHOLD_WIDTH:0]    s2_over     = {1'b0, s2_low} - {1'b0, s2_above};
+  wire [THRESHOLD_WIDTH+1:0]  s2_under    =
+      {1'b0, s2_low, 1'b1} + {1'b0, s2_below, ROOT != 0};
+  wire                        s2_reaches  = !s2_over[THRESHOLD_WIDTH];    // low >= above
+  wire                        s2_falls    = !s2_under[THRESHOLD_WIDTH+1]; // low + below < 2^T
+  wire                        s2_greater  =
+      (!s2_negative && (|s2_high || s2_reaches)) || s2_beyond_reach;
+  wire                        s2_less     =
+      s2_negative && (!(&s2_high) || s2_falls) && !s2_beyond_reach;
+  wire                        unused_bits = ^{s2_over, s2_under};
 
   fp_rank #(
     .WIDTH     (3),

@@ -186,12 +186,18 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
 }
 
+Unit multiplier_sum_unit(const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("add", delays.multiplier_add_ns);
+  return std::move(stages).unit("fixed_sum");
+}
+
 /// Memories deeper than a block of 1024 words have a multiplexer behind them.
 Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delays) {
   constexpr int block_address_bits = 10;
   const int selected = shift_levels(std::max(0, table.address_bits - block_address_bits));
   StageList stages(delays);
-  stages.add("magnitude", stages.carry(table.address_bits + 1));
+  stages.add("magnitude", table.has_signed_address ? 0 : stages.carry(table.address_bits + 1));
   stages.add_registered("read", stages.lut_delay_ns(1));
   stages.add("output", delays.memory_ns + stages.lut_delay_ns(selected));
   return std::move(stages).unit(table.squares.size() == 2 ? "fixed_memory_squares"

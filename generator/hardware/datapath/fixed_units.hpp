@@ -20,6 +20,8 @@ int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedN
 /// hardware, nor a square that is read from a memory.
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
+/// The unit of a sum by the adder behind an embedded multiplier (multiplier_sums.hpp).
+Unit multiplier_sum_unit(const DelayTable& delays);
 /// The unit that reads one or two squares from a memory.
 Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delays);
 /// The unit that finds the largest exponent of the operands of block floating point.

@@ -1,10 +1,13 @@
 #include "generator/hardware/datapath/schedule.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "generator/hardware/datapath/fixed_units.hpp"
 #include "generator/hardware/datapath/fold.hpp"
 #include "generator/hardware/datapath/fused_sum.hpp"
+#include "generator/hardware/datapath/multiplier_sums.hpp"
 #include "generator/hardware/datapath/scheduler.hpp"
 #include "generator/hardware/datapath/squared_sum.hpp"
 #include "model/base/common/cases.hpp"
@@ -158,7 +161,12 @@ public:
   Schedule run() {
     widen(fixed::arriving_formats(lane_), lane_.input_format);
     if (multipliers_ == scene::Multipliers::memory) {
-      schedule().square_tables = fixed::square_tables(lane_, delays().memory_block.read_ports);
+      const devices::MemoryBlock& block = delays().memory_block;
+      schedule().square_tables = fixed::square_tables(lane_, block.read_ports, block.bits);
+    }
+    if (multipliers_ == scene::Multipliers::embedded) {
+      schedule().multiplier_sums = multiplier_sums(lane_, delays());
+      for (const auto& [sum, product] : schedule().multiplier_sums) joining_.insert(product);
     }
     if (lane_.format.is_block) {
       schedule().largest_exponent = place(block_exponent_unit(lane_, delays()), {});
@@ -185,8 +193,17 @@ private:
           place(check_unit(lane_, node, delays()), operands_of(node)));
     }
     const bool is_input = node.operation == Operation::input;
-    schedule().steps.push_back(place(unit_of(node), operands_of(node),
-                                     is_input ? schedule().largest_exponent.ready_cycle : 0));
+    const auto id = static_cast<NodeId>(schedule().steps.size());
+    Step step = place(unit_of(node), operands_of(node),
+                      is_input ? schedule().largest_exponent.ready_cycle : 0);
+    if (joining_.contains(id)) leave_one_register(step);
+    schedule().steps.push_back(std::move(step));
+  }
+
+  /// A product that joins a sum has only the register between multiplier and adder.
+  static void leave_one_register(Step& step) {
+    step.cuts = {true, false};
+    step.ready_cycle = step.start_cycle + 1;
   }
 
   /// Places a common cut. All operands of common cuts are placed before the first cut.
@@ -218,12 +235,14 @@ private:
   Unit unit_of(const FixedNode& node) const {
     const auto id = static_cast<NodeId>(schedule().steps.size());
     const auto* table = fixed::table_of(schedule().square_tables, id);
-    return table != nullptr ? memory_square_unit(*table, delays())
-                            : fixed_unit(lane_, node, multipliers_, delays());
+    if (table != nullptr) return memory_square_unit(*table, delays());
+    return schedule().multiplier_sums.contains(id)
+               ? multiplier_sum_unit(delays())
+               : fixed_unit(lane_, node, multipliers_, delays());
   }
 
-  /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers.
-  /// The readers of the node have been moved before.
+  /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers,
+  /// or if it is a product that joins a sum. The readers of the node have been moved before.
   void move_later(NodeId id) {
     const FixedNode& node = lane_.nodes[id];
     if (arity(node.operation) == 0 || fixed::is_common_cut(node)) return;
@@ -232,7 +251,7 @@ private:
         *std::min_element(uses.begin(), uses.end()) - schedule().steps[id].ready_cycle;
     const long before = register_bits(id);
     shift(id, cycles);
-    if (register_bits(id) >= before) shift(id, -cycles);
+    if (register_bits(id) >= before && !joining_.contains(id)) shift(id, -cycles);
   }
 
   void shift(NodeId id, int cycles) {
@@ -278,7 +297,8 @@ private:
 
   const FixedLane& lane_;
   scene::Multipliers multipliers_;
-  int outputs_cycle_ = 0;  ///< the cycle in which all outputs are read
+  std::set<NodeId> joining_;  ///< the products that join sums in multipliers
+  int outputs_cycle_ = 0;     ///< the cycle in which all outputs are read
 };
 
 Schedule scheduled(const error::Lane& lane, scene::Multipliers multipliers,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,8 @@ struct Schedule {
   std::vector<Step> checks;
   /// The squares of a lane in fixed point that are read from memories; each also has a step.
   std::vector<fixed::SquareTable> square_tables;
+  /// In fixed point: the sums that embedded multipliers make, each with the product that joins it.
+  std::map<NodeId, NodeId> multiplier_sums = {};
   std::vector<PartSchedule> parts;
   Step combination;        ///< combines the verdicts of several parts; no unit for one part
   int latency_cycles = 0;  ///< from operands at the ports to verdict

@@ -54,7 +54,9 @@ std::string print(const Operand& operand) {
                           return fmt::format("{}[{}:{}]", s.name, s.high, s.low);
                         },
                         [](const Literal& l) { return print(l); },
-                        [](const Zeros& z) { return fmt::format("{{{}{{1'b0}}}}", z.width); },
+                        [](const Zeros& z) {
+                          return z.width == 1 ? "1'b0" : fmt::format("{{{}{{1'b0}}}}", z.width);
+                        },
                         [](const Concatenation& c) { return "{" + print_all(c.parts, ", ") + "}"; },
                         [](const Not& n) { return "~" + print(n.operand); },
                         [](const Or& o) { return print_all(o.operands, " | "); },

@@ -84,10 +84,19 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
   const std::string scaled = lane_.format.is_block ? " / 2^(1 + the largest exponent)" : "";
   const std::string what = is_input ? datapath_.port(node.input) + scaled
                            : is_cut ? fmt::format("{} / 2^{}", text(0), common_drop_.name)
-                                    : formula(node.operation, text(0), text(1));
+                                    : multiple(id) + formula(node.operation, text(0), text(1));
   datapath_.describe(
       schedule_.steps[id],
       fmt::format("{}, {} {}.{}", what, rounds ? "rounded down to" : "exact in", format, more));
+}
+
+/// The power of two that a product has as a further factor: "2 * ", or nothing.
+std::string FixedNodes::multiple(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  if (node.operation != Operation::multiply) return {};
+  const auto unit = [&](int k) { return lane_.nodes[node.operands[k]].format.unit_exponent; };
+  const int places = node.format.unit_exponent - node.dropped_bits - unit(0) - unit(1);
+  return places == 0 ? "" : to_text(power_of_two(places)) + " * ";
 }
 
 /// Describes the nodes that make a function's argument of an operand's encoding.

@@ -220,6 +220,7 @@ Operand FixedNodes::excess_bits(NodeId id, int kept, int most, int cycle) {
   const FixedFormat& format = lane_.nodes[id].format;
   const Operand value = datapath_.at(values_[id], cycle);
   const std::string& name = std::get<Net>(value->node).name;
+  if (kept > 0) datapath_.may_be_read_in_part(values_[id]);
   const int own = std::max(0, format.magnitude_bits() - kept);
   if (format.is_signed && own == most) return slice(name, format.width - 1, kept);
   const Operand sign = format.is_signed ? bit(name, format.width - 1) : literal(1, 0);
@@ -360,6 +361,7 @@ void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table)
     connections.push_back({port == 0 ? "a" : "b", operand(node.operands[0], 0, start)});
     connections.push_back({"y" + lower, net(names_[table.squares[port]])});
   }
+  if (table.has_signed_address) parameters.push_back({"SIGNED_ADDRESS", 1});
   datapath_.add_unit(schedule_.steps[id], "unit_" + names_[id], std::move(parameters),
                      std::move(connections));
 }
@@ -422,6 +424,13 @@ std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
       connect("b", second);
       break;
     }
+    case Operation::add:
+    case Operation::subtract: {
+      const auto [first, second] = addends(id);
+      connect("a", first);
+      connections.push_back({"b", operand(node.operands[second], 0, cycle)});
+      break;
+    }
     default:
       connect("a", 0);
       if (arity(node.operation) == 2) connect("b", 1);
@@ -438,10 +447,15 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
     case Operation::negate:
       parameters = {{"A_WIDTH", 1}, {"B_WIDTH", bits(0)}, {"SUBTRACT", 1}};
       break;
-    case Operation::add: parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}}; break;
-    case Operation::subtract:
-      parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}, {"SUBTRACT", 1}};
+    case Operation::add:
+    case Operation::subtract: {
+      const auto [first, second] = addends(id);
+      const int shift = datapath::alignment_bits(lane_.nodes, node, second);
+      parameters = {{"A_WIDTH", bits(first)}, {"B_WIDTH", bits(second) - shift}};
+      if (shift > 0) parameters.push_back({"SHIFT_B", shift});
+      if (node.operation == Operation::subtract) parameters.push_back({"SUBTRACT", 1});
       break;
+    }
     case Operation::multiply: {
       const auto [first, second] = factors(id);
       parameters = {{"A_WIDTH", bits(first)}, {"B_WIDTH", bits(second)}};
@@ -477,6 +491,18 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
   parameters.push_back({"WIDTH", node.format.width});
   append_technology_parameters(schedule_.steps[id].unit, parameters);
   return parameters;
+}
+
+/// The operands that a sum's unit takes as a and b. It shifts b up. A product that joins the sum in
+/// its multiplier is b, since the adder there takes whole products.
+std::pair<int, int> FixedNodes::addends(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  const auto joined = schedule_.multiplier_sums.find(id);
+  const bool adds = node.operation == Operation::add;
+  const bool swaps = joined != schedule_.multiplier_sums.end()
+                         ? node.operands[0] == joined->second
+                         : adds && datapath::alignment_bits(lane_.nodes, node, 0) > 0;
+  return swaps ? std::pair(1, 0) : std::pair(0, 1);
 }
 
 /// The operands that a product's unit takes as a and b. In logic a's digits make the rows, so it is

@@ -53,9 +53,11 @@ private:
   Signal any_of(const char* name, const std::vector<Signal>& flags);
   void build_unit(NodeId id);
   void build_memory_square(NodeId id, const fixed::SquareTable& table);
+  std::string multiple(NodeId id) const;
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   Operand address(const fixed::FixedNode& look_up, int cycle);
+  std::pair<int, int> addends(NodeId id) const;
   std::pair<int, int> factors(NodeId id) const;
   std::vector<Parameter> table_parameters(const fixed::FixedNode& look_up) const;
   std::vector<Parameter> parameters(NodeId id) const;

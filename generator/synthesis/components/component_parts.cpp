@@ -121,21 +121,23 @@ int low_zeros(const Instance& instance, const char* port) {
 /// The low bits of a sum that are copies of one operand's, because the other has zeros there.
 int passing_bits(const Instance& sum) {
   const bool subtracts = number(sum, "SUBTRACT") != 0;
-  const int zeros = std::max(subtracts ? 0 : low_zeros(sum, "a"), low_zeros(sum, "b"));
+  const int zeros = std::max(subtracts ? 0 : low_zeros(sum, "a"), number(sum, "SHIFT_B"));
   const int dropped = number(sum, "DROPPED"), width = number(sum, "WIDTH");
-  return std::min({zeros, number(sum, "A_WIDTH") - 1, number(sum, "B_WIDTH") - 1,
+  return std::min({zeros, number(sum, "A_WIDTH") - 1,
+                   number(sum, "B_WIDTH") + number(sum, "SHIFT_B") - 1,
                    dropped > 0 ? dropped : width - 1});
 }
 
 /// The sum without its passing bits.
 TemplateInstance without_passing_bits(const Instance& sum) {
   TemplateInstance result{sum.module, sum.parameters};
-  const int passing = passing_bits(sum);
+  const int passing = passing_bits(sum), shift = number(sum, "SHIFT_B");
   const char* const last = number(sum, "DROPPED") > 0 ? "DROPPED" : "WIDTH";
   for (Parameter& parameter : result.parameters) {
-    const bool shrinks =
-        parameter.name == "A_WIDTH" || parameter.name == "B_WIDTH" || parameter.name == last;
-    if (shrinks) parameter.value = number(sum, parameter.name.c_str()) - passing;
+    const int value = number(sum, parameter.name.c_str());
+    if (parameter.name == "A_WIDTH" || parameter.name == last) parameter.value = value - passing;
+    if (parameter.name == "B_WIDTH") parameter.value = value - std::max(0, passing - shift);
+    if (parameter.name == "SHIFT_B") parameter.value = std::max(0, value - passing);
   }
   return result;
 }

@@ -47,6 +47,8 @@ struct DelayTable {
   /// How many bits may select an operand inside the look-up tables of a carry chain.
   int sum_selects = 2;
   MultiplierSize multiplier_size;
+  /// Whether a multiplier adds its product to another number, without look-up tables.
+  bool multiplier_sums = false;
   MemoryBlock memory_block;
 
   friend bool operator==(const DelayTable&, const DelayTable&) = default;

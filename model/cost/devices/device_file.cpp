@@ -75,6 +75,9 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   section.integer("sum_selects", device.delays.sum_selects, 0, 2);
   section.integer("multiplier_a_bits", device.delays.multiplier_size.a_bits, 2, 64);
   section.integer("multiplier_b_bits", device.delays.multiplier_size.b_bits, 2, 64);
+  int sums = device.delays.multiplier_sums ? 1 : 0;
+  section.integer("multiplier_sums", sums, 0, 1);
+  device.delays.multiplier_sums = sums == 1;
   section.integer("memory_bits", device.delays.memory_block.bits, 1, most);
   section.integer("memory_read_ports", device.delays.memory_block.read_ports, 1, 2);
   if (const auto error = section.finish()) return *error;

@@ -293,9 +293,8 @@ int embedded_multipliers(const fixed::FixedLane& lane, const devices::Multiplier
 
 int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& block) {
   std::int64_t blocks = 0;
-  for (const fixed::SquareTable& table : fixed::square_tables(lane, block.read_ports)) {
-    const std::int64_t bits = std::int64_t{table.word_bits} << table.address_bits;
-    blocks += (bits + block.bits - 1) / block.bits;
+  for (const fixed::SquareTable& table : fixed::square_tables(lane, block.read_ports, block.bits)) {
+    blocks += fixed::blocks_of(table, block.bits);
   }
   return static_cast<int>(blocks);
 }

@@ -8,19 +8,39 @@ namespace {
 /// Bits 0 and 1 of a square need no memory.
 constexpr int free_bits = 2;
 
-SquareTable table_for(const FixedLane& lane, std::vector<NodeId> squares) {
-  std::sort(squares.begin(), squares.end());
-  SquareTable table{.squares = std::move(squares), .address_bits = 0, .word_bits = 0};
-  int low = lane.nodes[table.squares.front()].dropped_bits, high = 0;
-  for (const NodeId id : table.squares) {
+/// The bits of squares that are stored: those that some result has, but no more than `most`.
+int stored_bits(const FixedLane& lane, const std::vector<NodeId>& squares, int most) {
+  int low = lane.nodes[squares.front()].dropped_bits, high = 0;
+  for (const NodeId id : squares) {
     const FixedNode& node = lane.nodes[id];
-    table.address_bits = std::max(table.address_bits, magnitude_bits(lane, id));
     low = std::min(low, node.dropped_bits);
     high = std::max(high, node.dropped_bits + node.format.width);
   }
-  const int kept = std::min(high, 2 * table.address_bits) - std::max(low, free_bits);
-  table.word_bits = std::max(1, kept);
-  return table;
+  return std::max(1, std::min(high, most) - std::max(low, free_bits));
+}
+
+bool has_sign(const FixedLane& lane, NodeId square) {
+  return lane.nodes[lane.nodes[square].operands[0]].format.is_signed;
+}
+
+SquareTable table_for(const FixedLane& lane, std::vector<NodeId> squares, int block_bits) {
+  std::sort(squares.begin(), squares.end());
+  int bits = 0;
+  bool is_signed = false;
+  for (const NodeId id : squares) {
+    bits = std::max(bits, magnitude_bits(lane, id));
+    is_signed = is_signed || has_sign(lane, id);
+  }
+  SquareTable table{.squares = squares,
+                    .address_bits = bits,
+                    .word_bits = stored_bits(lane, squares, 2 * bits),
+                    .has_signed_address = false};
+  if (!is_signed) return table;
+  SquareTable longer{.squares = std::move(squares),
+                     .address_bits = bits + 1,
+                     .word_bits = stored_bits(lane, table.squares, 2 * bits + 1),
+                     .has_signed_address = true};
+  return blocks_of(longer, block_bits) == blocks_of(table, block_bits) ? longer : table;
 }
 
 }  // namespace
@@ -29,7 +49,12 @@ int magnitude_bits(const FixedLane& lane, NodeId square) {
   return lane.nodes[lane.nodes[square].operands[0]].format.magnitude_bits();
 }
 
-std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports) {
+std::int64_t blocks_of(const SquareTable& table, int block_bits) {
+  const std::int64_t bits = std::int64_t{table.word_bits} << table.address_bits;
+  return (bits + block_bits - 1) / block_bits;
+}
+
+std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports, int block_bits) {
   std::vector<NodeId> squares;
   for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
     if (lane.nodes[id].operation == Operation::square) squares.push_back(id);
@@ -40,7 +65,7 @@ std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports) {
   std::vector<SquareTable> tables;
   for (auto first = squares.begin(); first != squares.end();) {
     const auto last = first + std::min<std::ptrdiff_t>(read_ports, squares.end() - first);
-    tables.push_back(table_for(lane, {first, last}));
+    tables.push_back(table_for(lane, {first, last}, block_bits));
     first = last;
   }
   std::sort(tables.begin(), tables.end(), [](const SquareTable& a, const SquareTable& b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "model/lane/fixed/fixed_lane.hpp"
@@ -14,8 +15,10 @@ inline constexpr int most_table_bits = 14;
 /// Squares that are read from one memory, each at its own port.
 struct SquareTable {
   std::vector<NodeId> squares;  ///< one or two, in the order of the lane's nodes
-  int address_bits;             ///< those of the widest magnitude
+  int address_bits;             ///< those of the widest operand, or of its magnitude
   int word_bits;                ///< bits of a square that are stored and that some result has
+  /// The memory has a word for each operand, not only for each magnitude: nothing removes signs.
+  bool has_signed_address;
 
   friend bool operator==(const SquareTable&, const SquareTable&) = default;
 };
@@ -26,8 +29,12 @@ int magnitude_bits(const FixedLane& lane, NodeId square);
 
 /// Distributes the squares of a lane among memories with `read_ports` ports (1 or 2), in the order
 /// of their first squares. If squares differ in width, the widest two share a memory, then the next
-/// two. A memory's size follows its wider square, so this takes the least memory.
-std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports);
+/// two. A memory's size follows its wider square, so this takes the least memory. Words for
+/// negative operands are stored where that takes no more blocks of `block_bits` bits.
+std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports, int block_bits);
+
+/// The blocks of `block_bits` bits that a memory takes.
+std::int64_t blocks_of(const SquareTable& table, int block_bits);
 
 /// The table that a node reads; null if it reads none.
 const SquareTable* table_of(const std::vector<SquareTable>& tables, NodeId node);

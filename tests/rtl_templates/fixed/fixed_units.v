@@ -6,8 +6,8 @@ module fixed_units #(
     parameter WIDTHS    = 5,
     // The number of kinds: sum, difference, product, square, minimum, maximum, absolute; then
     // products by fixed_product with positive factors, which are both, that of a square, the first,
-    // or the second.
-    parameter KINDS     = 11,
+    // or the second; then the sum and the difference of a and b shifted up by 2 and by 3 places.
+    parameter KINDS     = 13,
     parameter DECISIONS = 96,
     parameter CHECKS    = 80,
     parameter OVERFLOWS = 36,
@@ -35,6 +35,8 @@ module fixed_units #(
       7: whole = a_width + b_width + 2;
       8: whole = 2 * a_width + 2;
       9, 10: whole = a_width + b_width + 1;
+      11: whole = larger(a_width, b_width + 2) + 1;
+      12: whole = larger(a_width, b_width + 3) + 1;
       default: whole = larger(a_width, b_width) + 1;
     endcase
   endfunction
@@ -97,11 +99,12 @@ module fixed_units #(
 
       assign results[slot] = {{(64 - WIDTH) {1'b0}}, y};
 
-      if (KIND < 2) begin : g_sum
+      if ((KIND < 2) || (KIND > 10)) begin : g_sum
         fixed_sum #(
             .A_WIDTH (A),
             .B_WIDTH (B),
-            .SUBTRACT(KIND),
+            .SHIFT_B ((KIND < 2) ? 0 : KIND - 9),
+            .SUBTRACT((KIND == 1) || (KIND == 12)),
             .DROPPED (DROPPED),
             .WIDTH   (WIDTH),
             .CUTS    (CUTS[0])

@@ -15,7 +15,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36, tables = 40,
+constexpr int widths = 5, kinds = 13, decisions = 96, checks = 80, overflows = 36, tables = 40,
               floatings = 24;
 constexpr int slots = kinds * widths * widths * 4;
 
@@ -53,12 +53,14 @@ struct Slot {
       case 8: return 2 * a_width + 2;
       case 9:
       case 10: return a_width + b_width + 1;
+      case 11: return std::max(a_width, b_width + 2) + 1;
+      case 12: return std::max(a_width, b_width + 3) + 1;
       default: return std::max(a_width, b_width) + 1;
     }
   }
 
   int latency() const {
-    const bool one_stage = kind < 2 || kind == 6;
+    const bool one_stage = kind < 2 || kind == 6 || kind > 10;
     return std::popcount(static_cast<unsigned>(one_stage ? cuts % 2 : cuts));
   }
 
@@ -75,7 +77,9 @@ struct Slot {
                                 a_positive * b_positive,
                                 a_positive * a_positive,
                                 a_positive * b,
-                                a * b_positive};
+                                a * b_positive,
+                                a + b * 4,
+                                a - b * 8};
     return static_cast<std::uint64_t>(results[kind] >> dropped) & ((1u << width) - 1);
   }
 

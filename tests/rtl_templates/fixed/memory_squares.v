@@ -18,7 +18,7 @@ module memory_squares #(
 
   // Squares of 1 to 13 bits and of 15; pairs of 1 to 12 bits with 1, 5, 9 or 13. A result drops 0
   // to 5 low bits, or none if its square is short. Every second result leaves out the bits that the
-  // square of a symmetric range does not need.
+  // square of a symmetric range does not need. Slots take turns of three with signed addresses.
   generate
     for (slot = 0; slot < SINGLES; slot = slot + 1) begin : g_singles
       localparam       A       = (slot == 13) ? 15 : slot + 1;
@@ -32,10 +32,11 @@ module memory_squares #(
       assign results[slot+SINGLES+PAIRS] = 32'b0;
 
       fixed_memory_square #(
-          .A_WIDTH(A),
-          .DROPPED(DROPPED),
-          .WIDTH  (WIDTH),
-          .CUTS   (CUTS)
+          .A_WIDTH       (A),
+          .DROPPED       (DROPPED),
+          .WIDTH         (WIDTH),
+          .SIGNED_ADDRESS(slot / 3 % 2),
+          .CUTS          (CUTS)
       ) unit (
           .aclk(aclk),
           .a   (a[A-1:0]),
@@ -58,13 +59,14 @@ module memory_squares #(
       assign results[slot+SINGLES+PAIRS] = {{(32 - WIDTH_B) {1'b0}}, y_b};
 
       fixed_memory_squares #(
-          .A_WIDTH  (A),
-          .B_WIDTH  (B),
-          .DROPPED_A(DROPPED_A),
-          .DROPPED_B(DROPPED_B),
-          .WIDTH_A  (WIDTH_A),
-          .WIDTH_B  (WIDTH_B),
-          .CUTS     (CUTS)
+          .A_WIDTH       (A),
+          .B_WIDTH       (B),
+          .DROPPED_A     (DROPPED_A),
+          .DROPPED_B     (DROPPED_B),
+          .WIDTH_A       (WIDTH_A),
+          .WIDTH_B       (WIDTH_B),
+          .SIGNED_ADDRESS(slot / 3 % 2),
+          .CUTS          (CUTS)
       ) unit (
           .aclk(aclk),
           .a   (a[A-1:0]),

@@ -1,10 +1,11 @@
 // memory_squares_tb: fixed_memory_squares against `*`, by Icarus. Every operand of up to 10 bits
-// comes at one port, and others at the other port.
+// comes at one port, and others at the other port. Cases 0 to 9 have magnitudes as addresses, the
+// same cases from 10 on the operands.
 `default_nettype none
 
 module memory_squares_tb;
 
-  localparam CASES   = 10;
+  localparam CASES   = 20;
   localparam LATENCY = 3;
 
   reg              aclk = 0;
@@ -15,9 +16,9 @@ module memory_squares_tb;
   genvar k;
   generate
     for (k = 0; k < CASES; k = k + 1) begin : g_cases
-      localparam A         = k + 1;
-      localparam B         = 10 - k;
-      localparam DROPPED_A = (k > 3) ? k - 3 : 0;
+      localparam A         = k % 10 + 1;
+      localparam B         = 10 - k % 10;
+      localparam DROPPED_A = (A > 4) ? A - 4 : 0;
       localparam WIDTH_A   = 2 * A - DROPPED_A;
 
       wire [WIDTH_A-1:0]  y_a;
@@ -37,12 +38,13 @@ module memory_squares_tb;
       end
 
       fixed_memory_squares #(
-        .A_WIDTH  (A),
-        .B_WIDTH  (B),
-        .DROPPED_A(DROPPED_A),
-        .WIDTH_A  (WIDTH_A),
-        .WIDTH_B  (2 * B),
-        .CUTS     (3'b111)
+        .A_WIDTH       (A),
+        .B_WIDTH       (B),
+        .DROPPED_A     (DROPPED_A),
+        .WIDTH_A       (WIDTH_A),
+        .WIDTH_B       (2 * B),
+        .SIGNED_ADDRESS(k / 10),
+        .CUTS          (3'b111)
       ) squares (
         .aclk(aclk),
         .a   (a[A-1:0]),
