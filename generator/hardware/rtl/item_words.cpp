@@ -10,6 +10,7 @@
 #include "generator/hardware/rtl/lane_module.hpp"
 #include "generator/hardware/rtl/net_names.hpp"
 #include "model/base/common/check.hpp"
+#include "model/lane/fixed/bilinear_form.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -55,10 +56,24 @@ std::string port_suffix(data::Item item) {
   MIXCMP_CHECK(false);
 }
 
+/// The embedded multipliers of a lane's products and squares.
+int multipliers_of(const fixed::FixedLane& lane, const devices::MultiplierSize& size) {
+  const auto parts = [](int bits, int port) { return (bits + port - 1) / port; };
+  int count = 0;
+  for (const fixed::FixedNode& node : lane.nodes) {
+    const bool squares = node.operation == Operation::square;
+    if (!squares && node.operation != Operation::multiply) continue;
+    const auto bits = [&](int k) { return lane.nodes[node.operands[k]].format.magnitude_bits(); };
+    count += parts(bits(0), size.a_bits) * parts(bits(squares ? 0 : 1), size.b_bits);
+  }
+  return count;
+}
+
 class WordMaker {
 public:
-  WordMaker(const design::Design& design, const EngineShape& engine)
-      : design_(design), engine_(engine), names_({}) {}
+  WordMaker(const design::Design& design, const EngineShape& engine,
+            const datapath::DelayTable& delays)
+      : design_(design), engine_(engine), multiplier_size_(delays.multiplier_size), names_({}) {}
 
   ItemWords run() {
     split_lanes();
@@ -81,19 +96,38 @@ private:
   Word& word_of(data::Item item) { return item == data::Item::row ? words_.rows : words_.items; }
 
   void split_lanes() {
-    std::vector<const fixed::FixedLane*> lanes;
-    for (const design::LaneGroup& group : design_.lanes) {
-      if (const auto* lane = splittable(group.lane)) lanes.push_back(lane);
-    }
-    if (design_.second_tier) lanes.push_back(splittable(design_.second_tier->lane));
-    if (lanes.empty()) return;
     std::vector<fixed::ItemInput> inputs;
     for (const EngineShape::Source& source : engine_.sources) {
       inputs.push_back({.column = static_cast<int>(source.column), .role = role_of(source.item)});
     }
-    fixed::ItemSplit split =
-        fixed::split_by_item(lanes, inputs, engine_.columns, engine_.row_columns);
+    std::vector<fixed::FixedLane> lanes;
+    for (const design::LaneGroup& group : design_.lanes) {
+      if (splittable(group.lane) != nullptr) lanes.push_back(best_form(group, inputs));
+    }
+    if (design_.second_tier) lanes.push_back(best_form(*design_.second_tier, inputs));
+    if (lanes.empty()) return;
+    fixed::ItemSplit split = split_of(lanes, inputs);
     if (computes(split.items.lane) || computes(split.rows.lane)) words_.split = std::move(split);
+  }
+
+  fixed::ItemSplit split_of(const std::vector<fixed::FixedLane>& lanes,
+                            const std::vector<fixed::ItemInput>& inputs) const {
+    std::vector<const fixed::FixedLane*> pointers;
+    for (const fixed::FixedLane& lane : lanes) pointers.push_back(&lane);
+    return fixed::split_by_item(pointers, inputs, engine_.columns, engine_.row_columns);
+  }
+
+  /// The lane of a group; as bilinear forms where these need fewer embedded multipliers.
+  fixed::FixedLane best_form(const design::LaneGroup& group,
+                             const std::vector<fixed::ItemInput>& inputs) const {
+    const fixed::FixedLane& lane = *splittable(group.lane);
+    if (group.multipliers != scene::Multipliers::embedded) return lane;
+    std::optional<fixed::FixedLane> bilinear = fixed::in_bilinear_form(lane, inputs);
+    const auto multipliers = [&](const fixed::FixedLane& form) {
+      return multipliers_of(split_of({form}, inputs).lanes.front(), multiplier_size_);
+    };
+    const bool is_smaller = bilinear && multipliers(*bilinear) < multipliers(lane);
+    return is_smaller ? std::move(*bilinear) : lane;
   }
 
   void add_converted_fields(data::Item item) {
@@ -172,6 +206,7 @@ private:
 
   const design::Design& design_;
   const EngineShape& engine_;
+  devices::MultiplierSize multiplier_size_;
   NamePool names_;
   ItemWords words_;
   std::size_t next_split_ = 0;
@@ -237,7 +272,7 @@ void schedule_words(const design::Design& design, const EngineShape& engine,
 
 ItemWords item_words(const design::Design& design, const EngineShape& engine,
                      const datapath::DelayTable& delays) {
-  ItemWords words = WordMaker(design, engine).run();
+  ItemWords words = WordMaker(design, engine, delays).run();
   if (words.split) schedule_words(design, engine, delays, words);
   return words;
 }

@@ -26,12 +26,6 @@ constexpr int spare_root_bits = 8;
 /// more than that to the error.
 constexpr int factor_guard_bits = 4;
 
-int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b) {
-  if (operation == Operation::square) return 2 * a.unit_exponent;
-  if (operation == Operation::multiply) return a.unit_exponent + b.unit_exponent;
-  return std::min(a.unit_exponent, b.unit_exponent);
-}
-
 /// The least k with magnitude < 2^k, limited to a range: from a binade above the format's smallest
 /// normal number to one above its largest.
 int exponent_above(const mpq_class& magnitude, FloatFormat format) {
@@ -422,14 +416,7 @@ FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) 
 }
 
 FixedNode FixedGraphBuilder::exactly(Operation operation, NodeId a, NodeId b) const {
-  const FixedNode& first = nodes_[a];
-  const FixedNode& second = nodes_[b < 0 ? a : b];
-  FixedNode node{.operation = operation, .operands = {a, b}, .constant = {}};
-  const bool cancels = operation == Operation::subtract && a == b;
-  node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
-  node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
-  node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
-  return node;
+  return exact_node(nodes_, operation, a, b);
 }
 
 NodeId FixedGraphBuilder::add(FixedNode node) {

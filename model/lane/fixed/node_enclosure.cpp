@@ -76,6 +76,23 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
   MIXCMP_CHECK(false);
 }
 
+int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b) {
+  if (operation == Operation::square) return 2 * a.unit_exponent;
+  if (operation == Operation::multiply) return a.unit_exponent + b.unit_exponent;
+  return std::min(a.unit_exponent, b.unit_exponent);
+}
+
+FixedNode exact_node(const std::vector<FixedNode>& nodes, Operation operation, NodeId a, NodeId b) {
+  const FixedNode& first = nodes[a];
+  const FixedNode& second = nodes[b < 0 ? a : b];
+  FixedNode node{.operation = operation, .operands = {a, b}, .constant = {}};
+  const bool cancels = operation == Operation::subtract && a == b;
+  node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
+  node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
+  node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
+  return node;
+}
+
 void narrow(Range& range, const Range& other) {
   const Range both = {std::max(range.low, other.low), std::min(range.high, other.high)};
   if (both.low <= both.high) range = both;

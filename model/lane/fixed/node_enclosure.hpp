@@ -11,6 +11,13 @@ Range exact_value(Operation operation, const Range& a, const Range& b);
 /// Encloses its error.
 Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
 
+/// The unit of an operation's exact result: the product of the factors' units, or the finer of two.
+int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b);
+/// The operation on one or two of the nodes (`b` is -1 for one), exact, in the format that holds
+/// it.
+FixedNode exact_node(const std::vector<FixedNode>& nodes, Operation operation, NodeId a,
+                     NodeId b = -1);
+
 /// Intersects a range with another. If they are disjoint, no comparison reaches the node, and the
 /// range stays.
 void narrow(Range& range, const Range& other);
