@@ -78,6 +78,7 @@ public:
 
   Result<Shortlist> run() {
     weigh_shared_parts();
+    MIXCMP_DO(weigh_second_tier());
     MIXCMP_TRY(keys, lanes_of(maker_.scene(), query_));
     for (const measured::Lane& key : keys) {
       MIXCMP_DO(weigh(key));
@@ -127,6 +128,17 @@ private:
     return area;
   }
 
+  /// A lane of the second tier decides what lanes leave undecided; without one a reference does.
+  Result<Done> weigh_second_tier() {
+    share_of_next_ = reference_share_;
+    MIXCMP_TRY(tier, design::design_second_tier(maker_.scene()));
+    if (!tier) return Done{};
+    const devices::Area area =
+        area_of(tier->lane, tier->multipliers) + rough_streams(maker_.scene(), 0);
+    share_of_next_ = std::min(share_of_next_, optimise::device_share(area, device_.available));
+    return Done{};
+  }
+
   std::optional<double> rate_of(const measured::Lane& key, int precision) const {
     if (optimise::is_exact(maker_.scene(), key)) return 0;
     const LaneInputs inputs = key.inputs.value_or(LaneInputs::exact);
@@ -149,7 +161,7 @@ private:
     const devices::Area streams =
         *rate > 0 ? rough_streams(maker_.scene(), slots) : devices::Area{};
     const devices::Area all = area + streams;
-    const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
+    const double share = optimise::device_share(all, device_.available) + *rate * share_of_next_;
     const LaneEstimate estimate{key, key.format.precision(), area, *rate, share};
     const double seconds = seconds_for(lanes_at_once(maker_.scene()) * area);
     candidates_[{key.bound, key.inputs}].push_back({estimate, seconds});
@@ -186,6 +198,7 @@ private:
   const devices::Device& device_;
   const optimise::Rates& rates_;
   double reference_share_ = std::numeric_limits<double>::infinity();
+  double share_of_next_ = 0;  ///< of the datapath that gets undecided comparisons
   std::map<Kind, std::vector<Candidate>> candidates_;
   Shortlist result_;
 };

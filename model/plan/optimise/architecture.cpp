@@ -17,7 +17,7 @@ using scene::OperandMemory;
 using scene::OperandStore;
 
 constexpr std::array usual_groups = {1, 2, 4, 8, 16, 32};
-constexpr std::array usual_engine_groups = {4, 8, 16, 32};
+constexpr std::array usual_engine_groups = {4, 8, 16, 24, 32};
 constexpr std::array usual_report_streams = {1, 2, 4, 8, 16, 32};
 constexpr std::array usual_beats = {1, 2, 4, 8};
 
