@@ -560,11 +560,7 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
                  .received = fmt::format("\"memory\" in {}", format_name(lane)),
                  .accepted = "embedded or logic, or a format such as q11 or block11"};
   }
-  int widest = 0;
-  for (NodeId id = 0; id < static_cast<NodeId>(fixed->nodes.size()); ++id) {
-    if (fixed->nodes[id].operation != Operation::square) continue;
-    widest = std::max(widest, fixed::magnitude_bits(*fixed, id));
-  }
+  const int widest = fixed::widest_squared_magnitude(*fixed);
   if (widest <= fixed::most_table_bits) return Done{};
   return Error{.field = "reduced.multipliers",
                .message = "the memory of a square would be too large",

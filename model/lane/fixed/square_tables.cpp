@@ -49,6 +49,16 @@ int magnitude_bits(const FixedLane& lane, NodeId square) {
   return lane.nodes[lane.nodes[square].operands[0]].format.magnitude_bits();
 }
 
+int widest_squared_magnitude(const FixedLane& lane) {
+  int widest = 0;
+  for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
+    if (lane.nodes[id].operation == Operation::square) {
+      widest = std::max(widest, magnitude_bits(lane, id));
+    }
+  }
+  return widest;
+}
+
 std::int64_t blocks_of(const SquareTable& table, int block_bits) {
   const std::int64_t bits = std::int64_t{table.word_bits} << table.address_bits;
   return (bits + block_bits - 1) / block_bits;

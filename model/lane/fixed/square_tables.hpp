@@ -27,6 +27,9 @@ struct SquareTable {
 /// has one more.
 int magnitude_bits(const FixedLane& lane, NodeId square);
 
+/// The bits of the widest magnitude that a lane squares; 0 if it squares none.
+int widest_squared_magnitude(const FixedLane& lane);
+
 /// Distributes the squares of a lane among memories with `read_ports` ports (1 or 2), in the order
 /// of their first squares. If squares differ in width, the widest two share a memory, then the next
 /// two. A memory's size follows its wider square, so this takes the least memory. Words for

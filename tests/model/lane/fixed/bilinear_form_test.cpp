@@ -108,7 +108,7 @@ TEST(BilinearForm, DifferencesStay) {
   }
 }
 
-/// Where the squares of a wide row cancel, the sum is narrower than the difference of distances.
+/// The squares of a wide row cancel, so the sum is narrower than the difference of distances.
 TEST(BilinearForm, ASumIsNoWiderThanItsOperandsNeed) {
   const Comparison comparison = comparison_of("(p - ai)^2", "(p - aj)^2");
   std::vector<std::optional<Range>> ranges;
